@@ -1,0 +1,16 @@
+# OpenCV module by module: Debian puts OpenCVConfig.cmake into a package that pulls in all of OpenCV (over 1 GB).
+find_path(OpenCV_INCLUDE_DIR opencv2/core.hpp PATH_SUFFIXES opencv4)
+set(OpenCV_required OpenCV_INCLUDE_DIR)
+foreach(module ${OpenCV_FIND_COMPONENTS})
+  find_library(OpenCV_${module}_LIBRARY opencv_${module})
+  list(APPEND OpenCV_required OpenCV_${module}_LIBRARY)
+endforeach()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(OpenCV REQUIRED_VARS ${OpenCV_required})
+foreach(module ${OpenCV_FIND_COMPONENTS})
+  if(OpenCV_FOUND AND NOT TARGET OpenCV::${module})
+    add_library(OpenCV::${module} UNKNOWN IMPORTED)
+    set_target_properties(OpenCV::${module} PROPERTIES IMPORTED_LOCATION ${OpenCV_${module}_LIBRARY}
+      INTERFACE_INCLUDE_DIRECTORIES ${OpenCV_INCLUDE_DIR})
+  endif()
+endforeach()

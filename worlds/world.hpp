@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "core/grid_frame.hpp"
+#include "core/pose2.hpp"
+
+namespace cogslam {
+
+/// A straight piece of surface [m].
+struct Segment {
+  Eigen::Vector2d a{0.0, 0.0};
+  Eigen::Vector2d b{0.0, 0.0};
+};
+
+/// Corners of a closed loop [m]; the last joins the first.
+using Polygon = std::vector<Eigen::Vector2d>;
+
+enum class FloorKind : std::uint8_t { kCarpet, kWood, kConcrete, kTile, kPlain };
+
+/// What the floor camera looks at.
+struct Floor {
+  FloorKind kind = FloorKind::kCarpet;
+  double contrast = 1.0;     ///< share of the kind's own contrast, in [0, 1]
+  std::uint32_t seed = 1;    ///< which piece of carpet
+};
+
+/// A disc in which the wheels grip less.
+struct SlipPatch {
+  Eigen::Vector2d centre{0.0, 0.0};
+  double radius = 0.5;   ///< [m]
+  double friction = 0.2;  ///< share of the usual friction, in [0, 1]
+};
+
+/// What is there: surfaces and floor, a plain value. Surfaces have no thickness. A point is free where the start can be
+/// reached without crossing a surface, so walls need no inside; solid boxes are loops like any other.
+struct World {
+  std::vector<Polygon> walls;      ///< loops that bound the room, from inside or outside
+  std::vector<Polygon> obstacles;  ///< boxes and other loops that stand in it
+  Floor floor{};
+  std::vector<SlipPatch> slip_patches;
+  Pose2 start{};                   ///< T_map_base at time 0; the map frame is the world frame
+
+  /// Every surface, walls first, in the order of their corners.
+  [[nodiscard]] std::vector<Segment> segments() const;
+  /// The smallest rectangle around all surfaces.
+  [[nodiscard]] Rectangle bounds() const;
+};
+
+}  // namespace cogslam
