@@ -1,23 +1,19 @@
 #pragma once
 
-#include <array>
-
+#include "core/mecanum_kinematics.hpp"
 #include "core/pose2.hpp"
 #include "core/time.hpp"
 
 namespace cogslam {
 
-/// Order of the four wheels everywhere: front left, front right, rear left, rear right.
-using WheelSpeeds = std::array<double, 4>;  ///< [rad/s]
-
 /// The state of the vehicle at one moment, without error.
 struct Truth {
   Time time{};
   Pose2 T_map_base{};
-  Twist2 twist{};            ///< of the base, in its own frame [m/s, m/s, rad/s]
+  Twist2 twist{};  ///< of the base, in its own frame [m/s, m/s, rad/s]
   WheelSpeeds wheel_speeds{};
-  std::array<double, 4> wheel_angles{};  ///< turned since time 0 [rad], for the encoders
-  bool in_contact = false;   ///< touches a wall or a box
+  WheelValues wheel_angles{};  ///< turned since time 0 [rad], for the encoders
+  bool in_contact = false;     ///< touches a wall or a box
 };
 
 }  // namespace cogslam
