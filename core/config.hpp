@@ -55,8 +55,7 @@ class ConfigSection {
 
   /// Reads a name out of a closed list: `read_choice("kind", kind, {{"simple", Kind::kSimple}, ...})`.
   template <class E>
-  void read_choice(const std::string& key, E& value,
-                   std::initializer_list<std::pair<std::string_view, E>> choices) {
+  void read_choice(const std::string& key, E& value, std::initializer_list<std::pair<std::string_view, E>> choices) {
     std::vector<std::string_view> names;
     std::size_t chosen = choices.size(), i = 0;
     for (const auto& [name, choice] : choices) {
