@@ -1,0 +1,99 @@
+#include "slam/codec/top_m.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "core/check.hpp"
+
+namespace cogslam {
+namespace {
+
+/// |value| as an integer of the same order.
+std::uint32_t magnitude_of(float value) { return std::bit_cast<std::uint32_t>(value) & 0x7fffffffU; }
+
+/// Writes the positions of all non-zeros, ascending; returns how many there are.
+std::size_t find_nonzeros(std::span<const float> coefficients, std::vector<std::uint32_t>& positions) {
+  if (positions.size() < coefficients.size()) {
+    positions.resize(coefficients.size());
+  }
+  std::uint32_t* out = positions.data();
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    // Always written and kept only where non-zero: a branch here would be mispredicted half the time.
+    *out = static_cast<std::uint32_t>(i);
+    out += magnitude_of(coefficients[i]) != 0 ? 1 : 0;
+  }
+  return static_cast<std::size_t>(out - positions.data());
+}
+
+struct Threshold {
+  std::uint32_t magnitude;  // of the m-th largest
+  std::size_t equals;       // how many of exactly this magnitude belong to the m largest
+};
+
+/// The m-th largest magnitude at the given positions; 1 <= m <= positions.size().
+/// Exponent and leading bits sort into buckets first, so that nth_element sees one bucket instead of everything.
+Threshold find_threshold(std::span<const float> coefficients, std::span<const std::uint32_t> positions, std::size_t m,
+                         std::vector<std::uint32_t>& magnitudes) {
+  constexpr int kBucketShift = 20;  // leaves the 8 bits of the exponent and 3 of the fraction
+  std::array<std::uint32_t, 2048> counts{};
+  for (const std::uint32_t position : positions) {
+    ++counts[magnitude_of(coefficients[position]) >> kBucketShift];
+  }
+  std::size_t bucket = counts.size() - 1;
+  std::size_t wanted = m;  // of the m largest, those not yet found in a higher bucket
+  while (counts[bucket] < wanted) {
+    wanted -= counts[bucket--];
+  }
+  if (magnitudes.size() <= counts[bucket]) {
+    magnitudes.resize(counts[bucket] + std::size_t{1});  // one more: it is written before it is known to belong
+  }
+  std::uint32_t* out = magnitudes.data();
+  for (const std::uint32_t position : positions) {
+    *out = magnitude_of(coefficients[position]);
+    out += *out >> kBucketShift == bucket ? 1 : 0;
+  }
+  const auto nth = magnitudes.begin() + static_cast<std::ptrdiff_t>(wanted - 1);
+  std::nth_element(magnitudes.begin(), nth, magnitudes.begin() + counts[bucket], std::greater<>());
+  const auto larger = std::count_if(magnitudes.begin(), nth, [&](std::uint32_t other) { return other > *nth; });
+  return {*nth, wanted - static_cast<std::size_t>(larger)};
+}
+
+/// Leaves the positions above the threshold and the first `equals` at it; returns how many these are.
+std::size_t keep_largest(std::span<const float> coefficients, std::span<std::uint32_t> positions, Threshold threshold) {
+  std::size_t kept = 0;
+  std::size_t equals_left = threshold.equals;
+  for (const std::uint32_t position : positions) {
+    const std::uint32_t magnitude = magnitude_of(coefficients[position]);
+    const std::size_t equal = magnitude == threshold.magnitude && equals_left > 0 ? 1 : 0;
+    positions[kept] = position;
+    kept += (magnitude > threshold.magnitude ? 1 : 0) + equal;
+    equals_left -= equal;
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::size_t kept_count(std::size_t n, double percent) {
+  EXPECTS(percent >= 0.0 && percent <= 100.0);
+  return static_cast<std::size_t>(std::floor(static_cast<double>(n) * percent / 100.0 + 0.5));
+}
+
+void select_top_m(std::span<const float> coefficients, std::size_t m, CoefficientCode& code, TopMScratch& scratch) {
+  EXPECTS(coefficients.size() <= std::numeric_limits<std::uint32_t>::max());
+  std::size_t kept = m == 0 ? 0 : find_nonzeros(coefficients, scratch.positions);
+  if (kept > m) {
+    const std::span<std::uint32_t> nonzeros(scratch.positions.data(), kept);
+    kept = keep_largest(coefficients, nonzeros, find_threshold(coefficients, nonzeros, m, scratch.magnitudes));
+  }
+  code.indices.assign(scratch.positions.begin(), scratch.positions.begin() + static_cast<std::ptrdiff_t>(kept));
+  code.values.resize(kept);
+  for (std::size_t i = 0; i < kept; ++i) {
+    code.values[i] = coefficients[code.indices[i]];
+  }
+}
+
+}  // namespace cogslam
