@@ -1,0 +1,30 @@
+#include "worlds/world.hpp"
+
+#include "core/check.hpp"
+#include "worlds/polygon.hpp"
+
+namespace cogslam {
+
+std::vector<Segment> World::segments() const {
+  std::vector<Segment> out;
+  for (const auto* loops : {&walls, &obstacles}) {
+    for (const Polygon& loop : *loops) {
+      const std::vector<Segment> sides = edges(loop);
+      out.insert(out.end(), sides.begin(), sides.end());
+    }
+  }
+  return out;
+}
+
+Rectangle World::bounds() const {
+  const std::vector<Segment> surfaces = segments();
+  EXPECTS(!surfaces.empty());
+  Rectangle out{surfaces.front().a, surfaces.front().a};
+  for (const Segment& s : surfaces) {
+    out.min = out.min.cwiseMin(s.a);
+    out.max = out.max.cwiseMax(s.a);
+  }
+  return out;
+}
+
+}  // namespace cogslam

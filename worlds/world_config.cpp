@@ -1,0 +1,133 @@
+#include "worlds/world_config.hpp"
+
+#include "worlds/clearance.hpp"
+#include "worlds/free_space.hpp"
+#include "worlds/polygon.hpp"
+#include "worlds/rooms.hpp"
+
+namespace cogslam {
+namespace {
+
+enum class WorldKind { kSimple, kCornered, kCluttered, kPolygons };
+
+/// A start nearer to a surface than this [m] is on it.
+constexpr double kOnSurface = 1e-6;
+
+Polygon read_corners(ConfigSection& section) {
+  Polygon corners;
+  section.read("corners_m", corners);
+  if (const auto wrong = defect(corners)) section.fail("corners_m", "the loop " + *wrong);
+  return corners;
+}
+
+Polygon read_box(ConfigSection section) {
+  Pose2 T_map_box;
+  double width = 0.5, length = 0.5;
+  section.read("x_m", T_map_box.x);
+  section.read("y_m", T_map_box.y);
+  section.read_degrees("heading_deg", T_map_box.theta);
+  section.read("width_m", width, {0.01, kLargestRoom});
+  section.read("length_m", length, {0.01, kLargestRoom});
+  return box(T_map_box, width, length);
+}
+
+World read_room(ConfigSection& section, WorldKind kind) {
+  RoomSize size = kind == WorldKind::kSimple ? kSimpleSize : kCorneredSize;
+  const Range range{kind == WorldKind::kSimple ? kSmallestSimple : kSmallestCornered, kLargestRoom};
+  std::uint32_t variant = 0;
+  section.read("width_m", size.width, range);
+  section.read("length_m", size.length, range);
+  section.read("variant", variant);
+  try {
+    switch (kind) {
+      case WorldKind::kSimple:
+        return simple_room(size, variant);
+      case WorldKind::kCornered:
+        return cornered_room(size, variant);
+      default:
+        return cluttered_room(size, variant);
+    }
+  } catch (const InputError& error) {
+    section.fail(variant == 0 ? "width_m" : "variant", error.what());
+  }
+}
+
+World read_polygons(ConfigSection& section) {
+  World world;
+  for (ConfigSection& wall : section.sections("walls")) world.walls.push_back(read_corners(wall));
+  if (world.walls.empty()) section.fail("walls", "polygons without walls, expected at least one loop");
+  return world;
+}
+
+void read_obstacles(ConfigSection& section, World& world) {
+  for (ConfigSection& obstacle : section.sections("obstacles")) {
+    const bool is_box = obstacle.has("box");
+    if (is_box && obstacle.has("corners_m")) obstacle.fail("box", "an obstacle is a box or a loop, not both");
+    world.obstacles.push_back(is_box ? read_box(obstacle.section("box")) : read_corners(obstacle));
+  }
+}
+
+void read_floor(ConfigSection section, Floor& floor) {
+  section.read_choice("kind", floor.kind,
+                      {{"carpet", FloorKind::kCarpet},
+                       {"wood", FloorKind::kWood},
+                       {"concrete", FloorKind::kConcrete},
+                       {"tile", FloorKind::kTile},
+                       {"plain", FloorKind::kPlain}});
+  section.read("contrast", floor.contrast, {0.0, 1.0});
+  section.read("seed", floor.seed);
+}
+
+void read_slip_patches(ConfigSection& section, World& world) {
+  for (ConfigSection& patch : section.sections("slip_patches")) {
+    SlipPatch& out = world.slip_patches.emplace_back();
+    patch.read("x_m", out.centre.x());
+    patch.read("y_m", out.centre.y());
+    patch.read("radius_m", out.radius, kPositive);
+    patch.read("friction", out.friction, {0.0, 1.0});
+  }
+}
+
+void read_start(ConfigSection section, Pose2& start) {
+  section.read("x_m", start.x);
+  section.read("y_m", start.y);
+  section.read_degrees("heading_deg", start.theta);
+  start.theta = wrap_angle(start.theta);
+}
+
+void check_world(const ConfigSection& section, const World& world) {
+  const Rectangle area = world.bounds();
+  const Eigen::Vector2d extent = area.max - area.min;
+  if (extent.maxCoeff() > kLargestRoom) {
+    const char* cause = section.has("obstacles") && !section.has("walls") ? "obstacles" : "walls";
+    section.fail(cause, "the world is larger than 200 m, expected at most 200 m each way");
+  }
+  const Eigen::Vector2d start = world.start.position();
+  if (clearance(world, start) < kOnSurface) section.fail("start", "the start lies on a surface, expected free floor");
+  for (const Polygon& obstacle : world.obstacles) {
+    if (inside(obstacle, start)) section.fail("start", "the start lies within an obstacle, expected free floor");
+  }
+  if (!FreeSpace(world).is_closed()) {
+    section.fail("start", "the walls do not close around the start, expected a start inside the room");
+  }
+}
+
+}  // namespace
+
+World read_world(ConfigSection& section) {
+  WorldKind kind = WorldKind::kSimple;
+  section.read_choice("kind", kind,
+                      {{"simple", WorldKind::kSimple},
+                       {"cornered", WorldKind::kCornered},
+                       {"cluttered", WorldKind::kCluttered},
+                       {"polygons", WorldKind::kPolygons}});
+  World world = kind == WorldKind::kPolygons ? read_polygons(section) : read_room(section, kind);
+  read_obstacles(section, world);
+  read_start(section.section("start"), world.start);
+  read_floor(section.section("floor"), world.floor);
+  read_slip_patches(section, world);
+  check_world(section, world);
+  return world;
+}
+
+}  // namespace cogslam
