@@ -33,32 +33,37 @@ struct Threshold {
   std::size_t equals;       // how many of exactly this magnitude belong to the m largest
 };
 
-/// The m-th largest magnitude at the given positions; 1 <= m <= positions.size().
-/// Exponent and leading bits sort into buckets first, so that nth_element sees one bucket instead of everything.
+/// The m-th largest magnitude at the given positions; 1 <= m <= positions.size(). `magnitudes` is scratch.
+/// Radix selection: narrows the candidates to one bucket by the leading bits, then the middle, then the last ones.
+/// Unlike nth_element it has no branch on the data, so it is faster and no input is a bad one.
 Threshold find_threshold(std::span<const float> coefficients, std::span<const std::uint32_t> positions, std::size_t m,
                          std::vector<std::uint32_t>& magnitudes) {
-  constexpr int kBucketShift = 20;  // leaves the 8 bits of the exponent and 3 of the fraction
+  if (magnitudes.size() < positions.size()) {
+    magnitudes.resize(positions.size());
+  }
+  std::transform(positions.begin(), positions.end(), magnitudes.begin(),
+                 [&](std::uint32_t position) { return magnitude_of(coefficients[position]); });
+  std::span<std::uint32_t> candidates(magnitudes.data(), positions.size());
+  std::size_t wanted = m;  // of the m largest, those that are among the candidates
   std::array<std::uint32_t, 2048> counts{};
-  for (const std::uint32_t position : positions) {
-    ++counts[magnitude_of(coefficients[position]) >> kBucketShift];
+  for (const int shift : {20, 10, 0}) {  // 11, 10 and 10 bits
+    const std::uint32_t mask = shift == 20 ? 0x7ffU : 0x3ffU;
+    counts.fill(0);
+    for (const std::uint32_t candidate : candidates) {
+      ++counts[candidate >> shift & mask];
+    }
+    std::uint32_t bucket = mask;
+    while (counts[bucket] < wanted) {
+      wanted -= counts[bucket--];
+    }
+    std::uint32_t* out = candidates.data();
+    for (const std::uint32_t candidate : candidates) {
+      *out = candidate;
+      out += (candidate >> shift & mask) == bucket ? 1 : 0;
+    }
+    candidates = candidates.first(counts[bucket]);
   }
-  std::size_t bucket = counts.size() - 1;
-  std::size_t wanted = m;  // of the m largest, those not yet found in a higher bucket
-  while (counts[bucket] < wanted) {
-    wanted -= counts[bucket--];
-  }
-  if (magnitudes.size() <= counts[bucket]) {
-    magnitudes.resize(counts[bucket] + std::size_t{1});  // one more: it is written before it is known to belong
-  }
-  std::uint32_t* out = magnitudes.data();
-  for (const std::uint32_t position : positions) {
-    *out = magnitude_of(coefficients[position]);
-    out += *out >> kBucketShift == bucket ? 1 : 0;
-  }
-  const auto nth = magnitudes.begin() + static_cast<std::ptrdiff_t>(wanted - 1);
-  std::nth_element(magnitudes.begin(), nth, magnitudes.begin() + counts[bucket], std::greater<>());
-  const auto larger = std::count_if(magnitudes.begin(), nth, [&](std::uint32_t other) { return other > *nth; });
-  return {*nth, wanted - static_cast<std::size_t>(larger)};
+  return {candidates.front(), wanted};
 }
 
 /// Leaves the positions above the threshold and the first `equals` at it; returns how many these are.

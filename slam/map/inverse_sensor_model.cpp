@@ -1,0 +1,93 @@
+#include "slam/map/inverse_sensor_model.hpp"
+
+#include "core/cell_walk.hpp"
+
+namespace cogslam {
+namespace {
+
+/// A point of the base frame in cells of the frame: one unit is one cell side.
+class ToCells {
+ public:
+  ToCells(const Pose2& T_map_base, const GridFrame& frame)
+      : c_(std::cos(T_map_base.theta) / frame.cell_size),
+        s_(std::sin(T_map_base.theta) / frame.cell_size),
+        x_(T_map_base.x / frame.cell_size - frame.lattice_min.x),
+        y_(T_map_base.y / frame.cell_size - frame.lattice_min.y) {}
+  Eigen::Vector2d operator()(const Eigen::Vector2d& p) const {
+    return {x_ + c_ * p.x() - s_ * p.y(), y_ + s_ * p.x() + c_ * p.y()};
+  }
+
+ private:
+  double c_, s_, x_, y_;
+};
+
+Cell cell_at(const Eigen::Vector2d& p) {
+  return {static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))};
+}
+
+}  // namespace
+
+void MapUpdater::touch(Cell c, const GridFrame& frame, bool hit, bool overwrite) {
+  if (!frame.contains(c)) return;
+  const auto index = static_cast<std::uint32_t>(frame.index(c));
+  std::uint32_t& mark = marks_[index];
+  if (mark / 2 != round_) {
+    touched_.push_back(index);
+  } else if (!overwrite) {
+    return;
+  }
+  mark = 2 * round_ + (hit ? 1U : 0U);
+}
+
+void MapUpdater::mark(const std::vector<Beam>& sweep, const Pose2& T_map_base, CellRule rule, const GridFrame& frame) {
+  const ToCells to_cells(T_map_base, frame);
+  const bool last_beam_wins = rule == CellRule::kLastBeam;
+  if (!last_beam_wins) {  // all hits first: what passes later cannot undo them
+    for (const Beam& beam : sweep) {
+      if (beam.hit) touch(cell_at(to_cells(beam.end)), frame, true, false);
+    }
+  }
+  for (const Beam& beam : sweep) {
+    const Eigen::Vector2d end = to_cells(beam.end);
+    const Cell last = cell_at(end);
+    walk_cells(to_cells(beam.origin), end, [&](Cell c) {
+      if (!(c == last) || !beam.hit) touch(c, frame, false, last_beam_wins);
+      return true;
+    });
+    if (last_beam_wins && beam.hit) touch(last, frame, true, true);
+  }
+}
+
+CellWindow MapUpdater::integrate(const std::vector<Beam>& sweep, const Pose2& T_map_base, const LogOddsModel& model,
+                                 Grid<float>& log_odds) {
+  const GridFrame& frame = log_odds.frame();
+  if (marks_.size() < frame.size()) marks_.resize(frame.size(), 0);
+  if (++round_ == (1U << 31)) {  // marks of two billion calls ago would look fresh
+    std::fill(marks_.begin(), marks_.end(), 0);
+    round_ = 1;
+  }
+  touched_.clear();
+  mark(sweep, T_map_base, model.rule, frame);
+
+  CellWindow changed;
+  const auto width = static_cast<std::uint32_t>(frame.width);
+  for (const std::uint32_t index : touched_) {
+    float& value = log_odds.values()[index];
+    value = model.after(value, (marks_[index] & 1U) != 0 ? model.hit : model.free);
+    changed.include({frame.lattice_min.x + static_cast<int>(index % width),
+                     frame.lattice_min.y + static_cast<int>(index / width)});
+  }
+  return changed;
+}
+
+CellWindow window_of(const std::vector<Beam>& sweep, const Pose2& T_map_base, double cell_size) {
+  const ToCells to_cells(T_map_base, GridFrame{.cell_size = cell_size});
+  CellWindow window;
+  for (const Beam& beam : sweep) {
+    window.include(cell_at(to_cells(beam.origin)));
+    window.include(cell_at(to_cells(beam.end)));
+  }
+  return window;
+}
+
+}  // namespace cogslam

@@ -1,0 +1,130 @@
+#include "slam/odometry/flow.hpp"
+
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/video/tracking.hpp>
+
+#include "core/check.hpp"
+
+namespace cogslam {
+namespace {
+
+// OpenCV reports the eigenvalue over 2^20 for gradients that are 32 times too large.
+constexpr double kTextureUnit = 1048576.0 / (32.0 * 32.0);
+// A change of light below this share is left to the tracker: taking it out costs a second pyramid.
+constexpr double kLightTolerance = 0.005;
+
+/// OpenCV's pixel centres are whole numbers, ours are halves.
+cv::Point2f to_cv(const Eigen::Vector2d& p) {
+  return {static_cast<float>(p.x() - 0.5), static_cast<float>(p.y() - 0.5)};
+}
+Eigen::Vector2d from_cv(const cv::Point2f& p) { return {p.x + 0.5, p.y + 0.5}; }
+
+cv::Mat view_of(const FloorImage& image) {
+  EXPECTS(image.width > 0 && image.height > 0);
+  EXPECTS(image.grey.size() == static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.grey.data())};
+}
+
+}  // namespace
+
+double texture_of_noise(double noise) { return noise * noise * 236.0 / (32.0 * 32.0); }
+
+struct FlowTracker::State {
+  struct Picture {
+    cv::Mat grey;
+    double mean = 0.0;
+    std::vector<cv::Mat> pyramid;
+  };
+  Picture reference;
+  Picture latest;
+  bool latest_is_relit = false;  ///< its pyramid was made under the reference's light
+  std::vector<cv::Point2f> points;
+};
+
+namespace {
+
+std::vector<cv::Mat> pyramid_of(const cv::Mat& grey, const FlowConfig& config) {
+  std::vector<cv::Mat> pyramid;
+  cv::buildOpticalFlowPyramid(grey, pyramid, {config.window, config.window}, config.levels - 1,
+                              /*withDerivatives=*/true);
+  return pyramid;
+}
+
+std::vector<cv::Point2f> corners_of(const cv::Mat& grey, const FlowConfig& config) {
+  std::vector<cv::Point2f> corners;
+  // A corner at the border could not be compared over its whole window.
+  const int border = config.window / 2 + 1;
+  if (grey.cols <= 2 * border || grey.rows <= 2 * border) return corners;
+  const cv::Rect inside(border, border, grey.cols - 2 * border, grey.rows - 2 * border);
+  cv::goodFeaturesToTrack(grey(inside), corners, config.points, config.corner_quality, config.corner_distance);
+  for (cv::Point2f& corner : corners) corner += cv::Point2f(static_cast<float>(border), static_cast<float>(border));
+  return corners;
+}
+
+}  // namespace
+
+FlowTracker::FlowTracker(const FlowConfig& config) : config_(config), state_(std::make_unique<State>()) {
+  cv::setNumThreads(1);  // runs are parallel by process; OpenCV's own threads only get in each other's way
+}
+
+FlowTracker::~FlowTracker() = default;
+
+bool FlowTracker::has_reference() const { return !state_->reference.pyramid.empty(); }
+
+void FlowTracker::start(const FloorImage& image) {
+  State::Picture& reference = state_->reference;
+  reference.grey = view_of(image).clone();
+  reference.mean = cv::mean(reference.grey)[0];
+  reference.pyramid = pyramid_of(reference.grey, config_);
+  state_->points = corners_of(reference.grey, config_);
+}
+
+std::vector<FlowPair> FlowTracker::track(const FloorImage& image, const Prediction& predicted) {
+  EXPECTS(has_reference());
+  State& s = *state_;
+  EXPECTS(image.width == s.reference.grey.cols && image.height == s.reference.grey.rows);
+  s.latest.grey = view_of(image).clone();
+  s.latest.mean = cv::mean(s.latest.grey)[0];
+  const double light = s.latest.mean > 1.0 ? s.reference.mean / s.latest.mean : 1.0;
+  s.latest_is_relit = std::abs(light - 1.0) > kLightTolerance;
+  cv::Mat relit = s.latest.grey;
+  if (s.latest_is_relit) s.latest.grey.convertTo(relit, CV_8U, light);
+  s.latest.pyramid = pyramid_of(relit, config_);
+  if (s.points.empty()) return {};
+
+  std::vector<cv::Point2f> found;
+  for (const cv::Point2f& p : s.points) found.push_back(to_cv(predicted(from_cv(p))));
+  std::vector<std::uint8_t> status;
+  std::vector<float> texture;
+  cv::calcOpticalFlowPyrLK(
+      s.reference.pyramid, s.latest.pyramid, s.points, found, status, texture, {config_.window, config_.window},
+      config_.levels - 1, {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, config_.iterations, config_.step_tolerance},
+      cv::OPTFLOW_USE_INITIAL_FLOW | cv::OPTFLOW_LK_GET_MIN_EIGENVALS, /*minEigThreshold=*/1e-7);
+
+  const int border = config_.window / 2;
+  const cv::Rect2f inside(static_cast<float>(border), static_cast<float>(border),
+                          static_cast<float>(image.width - 1 - 2 * border),
+                          static_cast<float>(image.height - 1 - 2 * border));
+  std::vector<FlowPair> pairs;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (status[i] == 0 || !inside.contains(found[i])) continue;
+    pairs.push_back({from_cv(s.points[i]), from_cv(found[i]), kTextureUnit * static_cast<double>(texture[i])});
+  }
+  return pairs;
+}
+
+void FlowTracker::rebase(const std::vector<Eigen::Vector2d>& points) {
+  State& s = *state_;
+  if (s.latest_is_relit) s.latest.pyramid = pyramid_of(s.latest.grey, config_);
+  std::swap(s.reference, s.latest);
+  s.points.clear();
+  if (3 * points.size() < 2 * static_cast<std::size_t>(config_.points)) {
+    s.points = corners_of(s.reference.grey, config_);
+  } else {
+    for (const Eigen::Vector2d& p : points) s.points.push_back(to_cv(p));
+  }
+}
+
+}  // namespace cogslam

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/pose2.hpp"
+
+namespace cogslam {
+
+/// A pose that was registered: which record of the log it belongs to, and where the particle was.
+struct RegisteredPose {
+  std::size_t record = 0;  ///< counts readings from 0
+  Pose2 T_map_base{};
+};
+
+/// The paths of all particles: they share their past, so it is a tree that grows at its leaves. Branches without a
+/// living particle are dropped, and their nodes used again.
+class PathTree {
+ public:
+  using Node = std::int32_t;
+  static constexpr Node kRoot = -1;  ///< before the first registered pose
+
+  /// A new leaf after `parent`, held by the caller until `release`; `parent` stays held too.
+  Node append(Node parent, const RegisteredPose& pose);
+  void hold(Node node);
+  void release(Node node);
+
+  /// The path that ends in `node`, oldest pose first.
+  [[nodiscard]] std::vector<RegisteredPose> path_to(Node node) const;
+  /// The node `steps` poses before, or kRoot where the path is shorter.
+  [[nodiscard]] Node ancestor(Node node, int steps) const;
+  /// Bytes of the living nodes.
+  [[nodiscard]] std::int64_t bytes() const { return static_cast<std::int64_t>(alive_ * sizeof(Entry)); }
+
+ private:
+  struct Entry {
+    RegisteredPose pose;
+    Node parent = kRoot;
+    std::int32_t holders = 0;  ///< particles and children
+  };
+
+  std::vector<Entry> entries_;
+  std::vector<Node> free_;
+  std::size_t alive_ = 0;
+};
+
+}  // namespace cogslam

@@ -1,0 +1,97 @@
+#include "slam/slam_config.hpp"
+
+namespace cogslam {
+namespace {
+
+void read_store(ConfigSection section, StoreConfig& store) {
+  section.read_choice("kind", store.kind, {{"dense", StoreKind::kDense}, {"coefficients", StoreKind::kCoefficients}});
+  section.read("percent_kept", store.percent_kept, {1e-6, 100.0});
+}
+
+void read_log_odds(ConfigSection section, LogOddsModel& model) {
+  double hit = model.hit, free = model.free, min = model.min, max = model.max;
+  section.read("hit", hit, {1e-3, 20.0});
+  section.read("free", free, {-20.0, -1e-3});
+  section.read("clamped", model.clamped);
+  section.read("min", min, {-1000.0, 0.0});
+  section.read("max", max, {0.0, 1000.0});
+  section.read_choice("rule", model.rule, {{"hit_beats_miss", CellRule::kHitBeatsMiss}, {"last_beam", CellRule::kLastBeam}});
+  model.hit = static_cast<float>(hit);
+  model.free = static_cast<float>(free);
+  model.min = static_cast<float>(min);
+  model.max = static_cast<float>(max);
+}
+
+void read_likelihood(ConfigSection section, ScanLikelihoodConfig& likelihood) {
+  section.read_choice("model", likelihood.model,
+                      {{"likelihood_field", ScanModel::kLikelihoodField}, {"beam", ScanModel::kBeam}});
+  section.read("beams", likelihood.beams, {1, 100000});
+  section.read("effective_beams", likelihood.effective_beams, {0.01, 1e6});
+  section.read("hit_share", likelihood.hit_share, {0.01, 0.9999});
+  section.read("unknown_value", likelihood.unknown_value, {0.0, 1.0});
+  section.read("range_sigma_m", likelihood.range_sigma, {1e-4, 10.0});
+  section.read("field_sigma_m", likelihood.field.sigma, {1e-3, 10.0});
+  section.read("field_sample_m", likelihood.field.finest_sample, {1e-3, 10.0});
+}
+
+void read_compass(ConfigSection section, CompassModel& compass) {
+  section.read("used", compass.used);
+  section.read_degrees("noise_deg", compass.noise, {1e-3, 180.0});
+  section.read_degrees("bias_sigma_deg", compass.bias_sigma, {0.0, 180.0});
+}
+
+void read_motion(ConfigSection section, MotionModelConfig& motion) {
+  section.read("inflation", motion.inflation, {0.0, 1000.0});
+  section.read("least_sigma_m", motion.least_sigma_position, {1e-6, 10.0});
+  section.read_degrees("least_sigma_deg", motion.least_sigma_heading, {1e-5, 180.0});
+}
+
+void read_sweep(ConfigSection section, SweepConfig& sweep) {
+  section.read("max_hit_range_m", sweep.max_hit_range, kPositive);
+  section.read("max_free_range_m", sweep.max_free_range, kPositive);
+  section.read("carve_no_return", sweep.carve_no_return);
+}
+
+void read_matcher(ConfigSection section, ScanMatcherConfig& matcher) {
+  section.read("window_sigmas", matcher.window_sigmas, {0.0, 100.0});
+  section.read("coarse_step_m", matcher.coarse_step, {1e-4, 10.0});
+  section.read("finest_step_m", matcher.finest_step, {1e-6, 10.0});
+  section.read("coarse_steps_max", matcher.coarse_steps_max, {0, 100});
+}
+
+}  // namespace
+
+std::optional<GridFrame> SlamConfig::map_frame() const {
+  if (!area) return std::nullopt;
+  return GridFrame::covering(*area, cell_size);
+}
+
+void SlamConfig::check() const {
+  if (store.kind == StoreKind::kCoefficients && !area) {
+    throw InputError("store 'coefficients' transforms the whole map: it needs a stated map area");
+  }
+  if (log_odds.clamped && (log_odds.min >= 0.0F || log_odds.max <= 0.0F)) {
+    throw InputError("log_odds: min must be below 0 and max above 0");
+  }
+}
+
+void read_slam_config(ConfigSection& section, SlamConfig& config) {
+  section.read("particles", config.particles, {1, 1000000});
+  section.read_choice("proposal", config.proposal,
+                      {{"motion", Proposal::kMotion}, {"scan_matched", Proposal::kScanMatched}});
+  read_store(section.section("store"), config.store);
+  read_log_odds(section.section("log_odds"), config.log_odds);
+  read_sweep(section.section("sweep"), config.sweep);
+  read_motion(section.section("motion"), config.motion);
+  ConfigSection registration = section.section("registration");
+  registration.read("distance_m", config.registration.distance, kPositive);
+  registration.read_degrees("turn_deg", config.registration.turn, kPositive);
+  read_likelihood(section.section("likelihood"), config.likelihood);
+  read_matcher(section.section("matcher"), config.matcher);
+  read_compass(section.section("compass"), config.compass);
+  ConfigSection resampling = section.section("resampling");
+  resampling.read("effective_share", config.resampling.effective_share, {1e-6, 1.0});
+  resampling.read("every_step", config.resampling.every_step);
+}
+
+}  // namespace cogslam

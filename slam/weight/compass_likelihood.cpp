@@ -1,0 +1,19 @@
+#include "slam/weight/compass_likelihood.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/angle.hpp"
+
+namespace cogslam {
+
+double compass_log_likelihood(double heading, double theta_map_base, const CompassModel& model, CompassBias& bias) {
+  const double innovation = wrap_angle(heading - theta_map_base - bias.mean);
+  const double variance = bias.variance + model.noise * model.noise;
+  const double gain = bias.variance / variance;
+  bias.mean = wrap_angle(bias.mean + gain * innovation);
+  bias.variance *= 1.0 - gain;
+  return -0.5 * (innovation * innovation / variance + std::log(2.0 * std::numbers::pi * variance));
+}
+
+}  // namespace cogslam

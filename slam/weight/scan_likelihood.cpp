@@ -1,0 +1,74 @@
+#include "slam/weight/scan_likelihood.hpp"
+
+#include <cmath>
+
+#include "core/check.hpp"
+#include "slam/map/expected_range.hpp"
+
+namespace cogslam {
+
+ScanLikelihood::ScanLikelihood(const ScanLikelihoodConfig& config, double cell_size)
+    : config_(config), field_(config.field, cell_size) {
+  EXPECTS(config.beams > 0 && config.effective_beams > 0.0 && config.hit_share > 0.0 && config.hit_share < 1.0);
+}
+
+std::vector<Beam> ScanLikelihood::probes_of(const std::vector<Beam>& sweep) const {
+  std::vector<Beam> hits;
+  for (const Beam& beam : sweep) {
+    if (beam.hit) hits.push_back(beam);
+  }
+  const auto wanted = static_cast<std::size_t>(config_.beams);
+  if (hits.size() <= wanted) return hits;
+  std::vector<Beam> probes;
+  for (std::size_t i = 0; i < wanted; ++i) probes.push_back(hits[(2 * i + 1) * hits.size() / (2 * wanted)]);
+  return probes;
+}
+
+void ScanLikelihood::look_at(const Grid<float>& log_odds) {
+  map_ = &log_odds;
+  field_.draw(log_odds);
+}
+
+double ScanLikelihood::log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const {
+  return config_.model == ScanModel::kBeam ? beam_log_likelihood(probes, T_map_base)
+                                           : field_log_likelihood(probes, T_map_base);
+}
+
+bool ScanLikelihood::unknown_at(double x, double y) const {
+  const Cell c = map_->frame().cell_of({x, y});
+  return !map_->frame().contains(c) || is_unknown((*map_)[c]);
+}
+
+double ScanLikelihood::field_log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const {
+  if (probes.empty() || field_.empty()) return 0.0;
+  const double c = std::cos(T_map_base.theta), s = std::sin(T_map_base.theta);
+  const auto hit = static_cast<float>(config_.hit_share), random = 1.0F - hit;
+  const auto unknown = static_cast<float>(config_.unknown_value);
+  double sum = 0.0;
+  for (const Beam& beam : probes) {
+    const double x = T_map_base.x + c * beam.end.x() - s * beam.end.y();
+    const double y = T_map_base.y + s * beam.end.x() + c * beam.end.y();
+    float value = field_.at(x, y);
+    if (value < unknown && unknown_at(x, y)) value = unknown;
+    sum += std::log(hit * value + random);
+  }
+  return config_.effective_beams * sum / static_cast<double>(probes.size());
+}
+
+double ScanLikelihood::beam_log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const {
+  if (probes.empty() || field_.empty()) return 0.0;
+  double sum = 0.0;
+  for (const Beam& beam : probes) {
+    const ExpectedRange expected = expected_range(*map_, T_map_base * beam.origin, T_map_base * beam.end);
+    double value = config_.unknown_value;
+    if (expected.known) {
+      // The surface may stand anywhere between entering and leaving its cell: no error inside that span.
+      const double error = std::max({0.0, expected.enter - beam.range, beam.range - expected.leave});
+      value = std::exp(-0.5 * error * error / (config_.range_sigma * config_.range_sigma));
+    }
+    sum += std::log(config_.hit_share * value + 1.0 - config_.hit_share);
+  }
+  return config_.effective_beams * sum / static_cast<double>(probes.size());
+}
+
+}  // namespace cogslam
