@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
 // Box2D keeps a polygon and an edge 15 to 20 mm apart (two polygon radii, less a slop): a body smaller by this much on
-// every side comes to rest with its true outline just short of the surface.
-constexpr double kSkin = 0.015;  // [m]
+// every side comes to rest with its true outline 5 to 10 mm short of the surface.
+constexpr double kSkin = 0.010;  // [m]
 constexpr int kVelocityIterations = 8, kPositionIterations = 3;
 
 b2Vec2 to_box2d(const Eigen::Vector2d& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
