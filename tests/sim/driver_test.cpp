@@ -112,7 +112,7 @@ TEST(Driver, ReachesItsSpeedOnALongLeg) {
   EXPECT_LT(simulation.truth().time, Time::from_seconds(8.0 / 0.3 + 2.5));
 }
 
-TEST(Driver, SaysWhenItIsStuckAndWhenItIsFreeAgain) {
+TEST(Driver, SaysWhenItIsStuck) {
   World world = empty_room(4.0, 4.0);
   world.obstacles = {box({1.0, 0.0}, 0.3, 3.9)};
   DriveConfig config;
