@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -254,6 +255,7 @@ TEST(Haar, ReproducesTheReferenceCoefficients) {
   expect_near(coefficients, reference, 1e-12);
   expect_near(inverse(canvas, reference), map, 1e-12);
   EXPECT_NEAR(dot(coefficients, coefficients), 43824.0, 1e-9);
+  EXPECT_EQ(canvas.size() - static_cast<std::size_t>(std::count(coefficients.begin(), coefficients.end(), 0.0)), 423U);
 }
 
 }  // namespace
