@@ -1,0 +1,89 @@
+#include "eval/report/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/angle.hpp"
+
+namespace cogslam {
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// Columns as wide as their widest entry, two spaces between; the first flush left, the others flush right.
+std::string aligned(const std::vector<Row>& rows) {
+  std::vector<std::size_t> width(rows.front().size(), 0);
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    text += fmt::format("{:<{}}", row[0], width[0]);
+    for (std::size_t i = 1; i < row.size(); ++i) text += fmt::format("  {:>{}}", row[i], width[i]);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string figure(const std::optional<double>& value, int digits) {
+  return value ? fmt::format("{:.{}f}", *value, digits) : "-";
+}
+
+std::string count(const std::optional<std::uint64_t>& value) { return value ? fmt::format("{}", *value) : "-"; }
+
+std::optional<double> root(const std::optional<double>& mse, double unit = 1.0) {
+  return mse ? std::optional(unit * std::sqrt(*mse)) : std::nullopt;
+}
+
+Row score_row(const VariantRecord& v) {
+  const Scores& s = v.scores;
+  return {v.name,
+          fmt::format("{}", v.cell_size_m),
+          figure(root(s.path_mse_m2), 4),
+          figure(root(s.heading_mse_rad2, degrees(1.0)), 3),
+          figure(root(s.odometry_path_mse_m2), 4),
+          figure(s.grid_mse, 4),
+          figure(s.payload_bytes, 0),
+          figure(s.bytes, 0),
+          count(s.bytes_peak),
+          figure(v.costs.cpu_ms_per_registered, 2),
+          count(s.registered),
+          count(s.resamplings)};
+}
+
+void add_relations(const std::string& variant, const char* path, const std::optional<RelationErrors>& errors,
+                   std::vector<Row>& rows) {
+  if (!errors) return;
+  const std::pair<const char*, RelationStats> splits[] = {
+      {"local", errors->local}, {"global", errors->global}, {"all", errors->all}};
+  for (const auto& [name, stats] : splits) {
+    const auto text = [&, n = stats.count](double value, int digits) {
+      return n > 0 ? fmt::format("{:.{}f}", value, digits) : "-";
+    };
+    rows.push_back({variant, path, name, fmt::format("{}", stats.count), text(stats.trans_mean, 4),
+                    text(stats.trans_std, 4), text(degrees(stats.rot_mean), 2), text(degrees(stats.rot_std), 2)});
+  }
+}
+
+}  // namespace
+
+std::string score_table(const RunRecord& record) {
+  std::vector<Row> rows{{"variant", "cell m", "path RMSE m", "heading RMSE deg", "odometry RMSE m", "grid MSE",
+                         "payload B", "all-in B", "peak B", "CPU ms/reg", "registered", "resamplings"}};
+  for (const VariantRecord& v : record.variants) rows.push_back(score_row(v));
+  return aligned(rows);
+}
+
+std::string relations_table(const RunRecord& record) {
+  std::vector<Row> rows{{"variant", "path", "relations", "count", "trans mean m", "std m", "rot mean deg", "std deg"}};
+  for (const VariantRecord& v : record.variants) {
+    add_relations(v.name, "online", v.scores.relations_online, rows);
+    add_relations(v.name, "final", v.scores.relations_final, rows);
+  }
+  return rows.size() > 1 ? aligned(rows) : "";
+}
+
+}  // namespace cogslam
