@@ -28,12 +28,20 @@ std::string known_keys(const ConfigTree& section) {
   return out.empty() ? "none" : out;
 }
 
+/// What the writer of an unknown key may have meant: most often the name without its unit, or a slip of the keys.
+std::string meant_name(const std::string& key, const std::vector<std::string>& known) {
+  for (const std::string& name : known) {
+    if (name.starts_with(key + "_")) return name;
+  }
+  return nearest_name(key, known);
+}
+
 void reject_unread(const ConfigTree& section) {
   std::vector<std::string> known;
   for (const ConfigNote& note : section.notes) known.push_back(note.key);
   for (const ConfigTree::Entry& entry : section.entries) {
     if (section.find_note(entry.key)) continue;
-    const std::string near = nearest_name(entry.key, known);
+    const std::string near = meant_name(entry.key, known);
     throw InputError(entry.place,
                      "unknown key '" + entry.key + "'" +
                          (near.empty() ? "; known here: " + known_keys(section) : "; did you mean '" + near + "'?"));

@@ -153,7 +153,7 @@ class SyntaxCheck : public YAML::EventHandler {
 };
 
 void send_events(const std::string& text, YAML::EventHandler& handler) {
-  std::istringstream stream(text);
+  std::istringstream stream(text + "\n");  // without a last line end, yaml-cpp loses the place of what is not closed
   YAML::Parser parser(stream);
   while (parser.HandleNextDocument(handler)) {
   }

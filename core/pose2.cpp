@@ -5,7 +5,8 @@
 namespace cogslam {
 namespace {
 
-/// sin(t)/t and (1 - cos(t))/t, by their series near zero: the quotients lose all digits there.
+/// sin(t)/t and (1 - cos(t))/t, by their series near zero, where the quotients have no value. 1 - cos(t) is taken as
+/// 2 sin(t/2)^2, which keeps its digits.
 struct ArcFactors {
   double along;
   double across;
@@ -13,7 +14,8 @@ struct ArcFactors {
 
 ArcFactors arc_factors(double t) {
   if (std::abs(t) < 1e-4) return {1.0 - t * t / 6.0, t / 2.0 - t * t * t / 24.0};
-  return {std::sin(t) / t, (1.0 - std::cos(t)) / t};
+  const double half = std::sin(0.5 * t);
+  return {std::sin(t) / t, 2.0 * half * half / t};
 }
 
 }  // namespace
