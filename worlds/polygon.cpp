@@ -76,6 +76,8 @@ std::optional<std::string> defect(const Polygon& loop) {
   const std::vector<Segment> all = edges(loop);
   for (std::size_t i = 0; i < n; ++i) {
     if (all[i].a == all[i].b) return "names corner " + std::to_string(i + 1) + " twice in a row";
+  }
+  for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 1; j < n; ++j) {
       const bool follows = j == i + 1, closes = i == 0 && j + 1 == n;
       const bool crosses = follows ? fold(all[i], all[j]) : closes ? fold(all[j], all[i]) : touch(all[i], all[j]);

@@ -85,6 +85,7 @@ RoomOutline drawn_outline(double width, double length, Rng& rng) {
     w.at = rng.uniform(0.35, 0.65);
     w.width = drawn_size(rng);
     w.depth = drawn_size(rng);
+    if (w.kind == WallFeature::Kind::kBay) w.width = 0.6;  // a narrower one is but a slit
   }
   return out;
 }
