@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/simulation.hpp"
 #include "tests/support/brute_force_caster.hpp"
 #include "tests/support/test_worlds.hpp"
 
@@ -76,6 +77,20 @@ TEST(RayCaster, EqualsBruteForceOnRandomWorlds) {
     }
   }
   EXPECT_GT(hits, 20000);
+}
+
+TEST(RayCaster, AgreesWithBox2DWithinItsSinglePrecision) {
+  const World world = room_with_boxes(47, 5);
+  const RayCaster caster(world);
+  const Simulation simulation(world, {}, 1);
+  int far_off = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vector2d origin(0.3 * std::cos(i), 0.3 * std::sin(i)), direction = unit(0.001 * i);
+    const auto ours = caster.cast(origin, direction, 30.0), theirs = simulation.cast_ray(origin, direction, 30.0);
+    ASSERT_TRUE(ours && theirs) << "ray " << i;
+    far_off += std::abs(*ours - *theirs) > 1e-3;
+  }
+  EXPECT_LE(far_off, 2) << "at the very corner of a box one may see it and the other pass";
 }
 
 TEST(RayCaster, EqualsBruteForceAlongTheAxes) {
