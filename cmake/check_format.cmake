@@ -1,0 +1,10 @@
+# Checks that every source is formatted:  cmake -DROOT=<repository> -DCLANG_FORMAT=<program> -P cmake/check_format.cmake
+set(sources "")
+foreach(folder core worlds sim sensors slam eval cli tests bench)
+  file(GLOB_RECURSE found ${ROOT}/${folder}/*.hpp ${ROOT}/${folder}/*.cpp)
+  list(APPEND sources ${found})
+endforeach()
+execute_process(COMMAND ${CLANG_FORMAT} --dry-run -Werror ${sources} RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "not formatted; ./dev format mends it")
+endif()
