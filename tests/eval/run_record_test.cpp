@@ -1,0 +1,108 @@
+#include "eval/run_record.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/angle.hpp"
+
+namespace cogslam {
+namespace {
+
+using nlohmann::json;
+
+RunRecord record_of_one() {
+  RunRecord record{.scenario = "cluttered", .seed = 7, .readings_hash = "00ff", .simulated_s = 60.0};
+  VariantRecord v{.name = "og", .store = "dense", .cell_size_m = 0.1, .particles = 100};
+  v.scores.path_mse_m2 = 0.1 + 0.2;
+  v.scores.registered = 12;
+  v.scores.resamplings = 0;
+  v.scores.grid_confusion = {{{1, 2, 3}, {4, 5, 6}}};
+  v.scores.relations_final = RelationErrors{.local = {3, 0.25, 0.5, radians(90), radians(45)}, .unmatched = 2};
+  v.costs.cpu_s = 1.5;
+  record.variants.push_back(v);
+  return record;
+}
+
+TEST(RunRecord, KeepsTheKeysOfSchemaOne) {
+  const json j = json::parse(to_json(record_of_one()));
+  EXPECT_EQ(j["schema"], 1);
+  for (const char* key : {"scenario", "seed", "readings_hash", "simulated_s", "variants"})
+    EXPECT_TRUE(j.contains(key)) << key;
+  const json& v = j["variants"][0];
+  for (const char* key : {"name", "store", "cell_size_m", "percent_kept", "particles", "scores", "costs"}) {
+    EXPECT_TRUE(v.contains(key)) << key;
+  }
+  for (const char* key :
+       {"path_mse_m2", "heading_mse_rad2", "odometry_path_mse_m2", "ate_rmse_m", "grid_mse", "grid_mse_all",
+        "grid_mse_logodds", "path_mse_vs_baseline_m2", "grid_mse_vs_baseline", "registered", "tracked", "resamplings",
+        "ancestors_100", "payload_bytes", "bytes", "bytes_peak", "state_hash", "relations"}) {
+    EXPECT_TRUE(v["scores"].contains(key)) << key;
+  }
+  for (const char* key : {"cpu_s", "cpu_ms_per_registered", "wall_s", "rss_bytes_above_start"}) {
+    EXPECT_TRUE(v["costs"].contains(key)) << key;
+  }
+}
+
+TEST(RunRecord, WritesNullForWhatWasNotMeasuredAndZeroForZero) {
+  const json v = json::parse(to_json(record_of_one()))["variants"][0];
+  EXPECT_TRUE(v["percent_kept"].is_null());
+  EXPECT_TRUE(v["scores"]["grid_mse"].is_null());
+  EXPECT_TRUE(v["scores"]["relations"]["online"].is_null());
+  EXPECT_TRUE(v["scores"]["relations"]["final"]["global"]["trans_mean_m"].is_null());
+  EXPECT_EQ(v["scores"]["relations"]["final"]["global"]["count"], 0);
+  EXPECT_EQ(v["scores"]["resamplings"], 0);
+  EXPECT_EQ(v["scores"]["registered"], 12);
+}
+
+TEST(RunRecord, WritesNullForNumbersThatAreNotFinite) {
+  RunRecord record = record_of_one();
+  record.variants[0].scores.grid_mse = std::numeric_limits<double>::quiet_NaN();
+  record.variants[0].scores.ate_rmse_m = std::numeric_limits<double>::infinity();
+  const json scores = json::parse(to_json(record))["variants"][0]["scores"];
+  EXPECT_TRUE(scores["grid_mse"].is_null());
+  EXPECT_TRUE(scores["ate_rmse_m"].is_null());
+}
+
+TEST(RunRecord, ReportsRelationsInDegrees) {
+  const json local = json::parse(to_json(record_of_one()))["variants"][0]["scores"]["relations"]["final"]["local"];
+  EXPECT_EQ(local["count"], 3);
+  EXPECT_EQ(local["trans_mean_m"], 0.25);
+  EXPECT_EQ(local["trans_std_m"], 0.5);
+  EXPECT_NEAR(local["rot_mean_deg"].get<double>(), 90.0, 1e-12);
+  EXPECT_NEAR(local["rot_std_deg"].get<double>(), 45.0, 1e-12);
+}
+
+TEST(RunRecord, NamesTheCountsOfTheConfusionTable) {
+  const json table = json::parse(to_json(record_of_one()))["variants"][0]["scores"]["grid_confusion"];
+  EXPECT_EQ(table["truth_free"], (json{{"free", 1}, {"unknown", 2}, {"occupied", 3}}));
+  EXPECT_EQ(table["truth_occupied"], (json{{"free", 4}, {"unknown", 5}, {"occupied", 6}}));
+}
+
+TEST(RunRecord, WritesNumbersThatReadBackExactly) {
+  const std::string text = to_json(record_of_one());
+  EXPECT_THAT(text, testing::HasSubstr("\"path_mse_m2\": 0.30000000000000004,"));
+  EXPECT_THAT(text, testing::HasSubstr("\"cell_size_m\": 0.1,"));
+  EXPECT_EQ(json::parse(text)["variants"][0]["scores"]["path_mse_m2"].get<double>(), 0.1 + 0.2);
+}
+
+TEST(RunRecord, GivesTheSameBytesForTheSameRecordAndOrderedKeys) {
+  const std::string text = to_json(record_of_one());
+  EXPECT_EQ(text, to_json(record_of_one()));
+  EXPECT_EQ(text.rfind("{\n  \"schema\": 1,\n  \"scenario\": \"cluttered\",\n  \"seed\": 7,", 0), 0U);
+  EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(RunRecord, ScoresAloneDoNotDependOnCosts) {
+  RunRecord slow = record_of_one(), other = record_of_one();
+  slow.variants[0].costs.cpu_s = 99.0;
+  other.variants[0].scores.tracked = 1;
+  EXPECT_NE(to_json(slow), to_json(record_of_one()));
+  EXPECT_EQ(scores_json(slow), scores_json(record_of_one()));
+  EXPECT_NE(scores_json(other), scores_json(record_of_one()));
+}
+
+}  // namespace
+}  // namespace cogslam
