@@ -51,27 +51,18 @@ std::vector<double> slab_borders(const std::vector<Segment>& surfaces) {
   return out;
 }
 
-/// What the upright surfaces at one border cover of it: disjoint, ascending.
+/// What the upright surfaces at one border cover of it, by lower end; pieces may overlap.
 std::vector<Interval> covered(const std::vector<Segment>& upright) {
-  std::vector<Interval> all;
-  for (const Segment& s : upright) all.push_back({std::min(s.a.y(), s.b.y()), std::max(s.a.y(), s.b.y())});
-  std::sort(all.begin(), all.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
   std::vector<Interval> out;
-  for (const Interval& i : all) {
-    if (!out.empty() && i.low <= out.back().high + kSame) {
-      out.back().high = std::max(out.back().high, i.high);
-    } else {
-      out.push_back(i);
-    }
-  }
+  for (const Segment& s : upright) out.push_back({std::min(s.a.y(), s.b.y()), std::max(s.a.y(), s.b.y())});
+  std::sort(out.begin(), out.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
   return out;
 }
 
 bool leaves_gap(Interval opening, const std::vector<Interval>& cover) {
   for (const Interval& c : cover) {
-    if (c.high <= opening.low) continue;
     if (c.low - opening.low > kSame) break;
-    opening.low = c.high;
+    opening.low = std::max(opening.low, c.high);
   }
   return opening.high - opening.low > kSame;
 }

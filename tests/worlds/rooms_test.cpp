@@ -53,6 +53,10 @@ void expect_drivable(const World& world, const std::string& name) {
   EXPECT_GT(clearance(world, world.start.position()), 0.4) << name;
 }
 
+std::string message_of(const RoomSize& size, std::uint32_t variant) {
+  return error_text([&] { cluttered_room(size, variant); });
+}
+
 TEST(Rooms, SimpleIsTheRoomOfThePaper) {
   const World world = simple_room();
   ASSERT_EQ(world.walls.size(), 1u);
@@ -131,6 +135,24 @@ TEST(Rooms, BoxesLeaveLanesForTheRobot) {
   }
 }
 
+TEST(Rooms, AShippedRoomOfAnotherSizeKeepsItsLanesOrIsRefused) {
+  int made = 0, refused = 0;
+  for (double side = 3.5; side <= 7.0; side += 0.25) {
+    if (message_of({side, side}, 0) != "no error") {
+      ++refused;
+      continue;
+    }
+    ++made;
+    const World world = cluttered_room({side, side});
+    for (std::size_t i = 0; i < world.obstacles.size(); ++i) {
+      EXPECT_GE(gap(world.obstacles[i], world.walls.front()), kLane) << side;
+      for (std::size_t j = 0; j < i; ++j) EXPECT_GE(gap(world.obstacles[i], world.obstacles[j]), kLane) << side;
+    }
+  }
+  EXPECT_GT(made, 3);
+  EXPECT_GT(refused, 3);
+}
+
 TEST(Rooms, EveryVariantCanBeDriven) {
   for (std::uint32_t variant = 0; variant <= 25; ++variant) {
     expect_drivable(simple_room(kSimpleSize, variant), "simple " + std::to_string(variant));
@@ -151,10 +173,6 @@ TEST(Rooms, AVariantIsAlwaysTheSameAndNeverAnother) {
 TEST(Rooms, LargeRoomsAreMade) {
   EXPECT_TRUE(FreeSpace(cornered_room({kLargestRoom, 60.0})).is_closed());
   EXPECT_TRUE(FreeSpace(cluttered_room({20.0, kLargestRoom}, 7)).is_closed());
-}
-
-std::string message_of(const RoomSize& size, std::uint32_t variant) {
-  return error_text([&] { cluttered_room(size, variant); });
 }
 
 TEST(Rooms, SayWhenTheBoxesDoNotFit) {
