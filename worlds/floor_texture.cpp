@@ -64,6 +64,18 @@ class Canvas {
     next_layer();
   }
 
+  /// Adds `count` strokes along x, one texel wide, with lengths [texel] and depths [grey] from the given ranges.
+  void add_strokes(int count, int length_min, int length_max, double depth_min, double depth_max) {
+    Rng rng = chance();
+    for (int i = 0; i < count; ++i) {
+      const int column = static_cast<int>(rng.below(kSize)), row = static_cast<int>(rng.below(kSize));
+      const int length = length_min + static_cast<int>(rng.below(static_cast<std::uint32_t>(length_max - length_min)));
+      const auto depth = static_cast<float>(rng.uniform(depth_min, depth_max));
+      for (int j = 0; j < length; ++j) wrapped(column + j, row) += depth;
+    }
+    next_layer();
+  }
+
   /// Calls f(value, distance) for each texel whose centre lies within `radius` of (x, y) [texel].
   template <class F>
   void for_disc(double x, double y, double radius, F&& f) {
@@ -123,6 +135,7 @@ Canvas paint_wood(std::uint32_t seed) {
   wood.add_noise(256, 8, 6.0F);
   wood.add_noise(64, 2, 7.0F);
   wood.add_noise(16, 1, 5.0F);
+  wood.add_strokes(60000, 2, 10, -30.0, -8.0);  // open pores, as oak has them
   Canvas floor(seed, 135.0F);
   floor.next_layer();
   for (int board = 0; board < kSize / kWidth; ++board) {

@@ -12,8 +12,8 @@ namespace {
 
 // OpenCV reports the eigenvalue over 2^20 for gradients that are 32 times too large.
 constexpr double kTextureUnit = 1048576.0 / (32.0 * 32.0);
-// A change of light below this share is left to the tracker: taking it out costs a second pyramid.
-constexpr double kLightTolerance = 0.005;
+// Side of the square whose mean is taken off each pixel [pixel].
+constexpr int kFlattenSide = 31;
 
 /// OpenCV's pixel centres are whole numbers, ours are halves.
 cv::Point2f to_cv(const Eigen::Vector2d& p) {
@@ -34,16 +34,23 @@ double texture_of_noise(double noise) { return noise * noise * 236.0 / (32.0 * 3
 struct FlowTracker::State {
   struct Picture {
     cv::Mat grey;
-    double mean = 0.0;
     std::vector<cv::Mat> pyramid;
   };
   Picture reference;
   Picture latest;
-  bool latest_is_relit = false;  ///< its pyramid was made under the reference's light
   std::vector<cv::Point2f> points;
 };
 
 namespace {
+
+/// The picture less its local mean. Vignette and shadows stand still in the picture and would pull every point back:
+/// on concrete a vignette of 25 % cost 0.2 % of the motion.
+cv::Mat flattened(const cv::Mat& grey) {
+  cv::Mat mean, flat;
+  cv::blur(grey, mean, {kFlattenSide, kFlattenSide});
+  cv::addWeighted(grey, 1.0, mean, -1.0, 128.0, flat);
+  return flat;
+}
 
 std::vector<cv::Mat> pyramid_of(const cv::Mat& grey, const FlowConfig& config) {
   std::vector<cv::Mat> pyramid;
@@ -75,8 +82,7 @@ bool FlowTracker::has_reference() const { return !state_->reference.pyramid.empt
 
 void FlowTracker::start(const FloorImage& image) {
   State::Picture& reference = state_->reference;
-  reference.grey = view_of(image).clone();
-  reference.mean = cv::mean(reference.grey)[0];
+  reference.grey = flattened(view_of(image));
   reference.pyramid = pyramid_of(reference.grey, config_);
   state_->points = corners_of(reference.grey, config_);
 }
@@ -85,13 +91,8 @@ std::vector<FlowPair> FlowTracker::track(const FloorImage& image, const Predicti
   EXPECTS(has_reference());
   State& s = *state_;
   EXPECTS(image.width == s.reference.grey.cols && image.height == s.reference.grey.rows);
-  s.latest.grey = view_of(image).clone();
-  s.latest.mean = cv::mean(s.latest.grey)[0];
-  const double light = s.latest.mean > 1.0 ? s.reference.mean / s.latest.mean : 1.0;
-  s.latest_is_relit = std::abs(light - 1.0) > kLightTolerance;
-  cv::Mat relit = s.latest.grey;
-  if (s.latest_is_relit) s.latest.grey.convertTo(relit, CV_8U, light);
-  s.latest.pyramid = pyramid_of(relit, config_);
+  s.latest.grey = flattened(view_of(image));
+  s.latest.pyramid = pyramid_of(s.latest.grey, config_);
   if (s.points.empty()) return {};
 
   std::vector<cv::Point2f> found;
@@ -117,7 +118,6 @@ std::vector<FlowPair> FlowTracker::track(const FloorImage& image, const Predicti
 
 void FlowTracker::rebase(const std::vector<Eigen::Vector2d>& points) {
   State& s = *state_;
-  if (s.latest_is_relit) s.latest.pyramid = pyramid_of(s.latest.grey, config_);
   std::swap(s.reference, s.latest);
   s.points.clear();
   if (3 * points.size() < 2 * static_cast<std::size_t>(config_.points)) {

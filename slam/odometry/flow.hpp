@@ -32,7 +32,7 @@ struct FlowPair {
 double texture_of_noise(double noise);
 
 /// Follows corners from a reference picture to later pictures by pyramidal Lucas-Kanade flow (Bouguet 2000, OpenCV).
-/// A change of light over the whole picture is taken out first.
+/// The local mean is taken off every picture first, and with it vignette, shadows and changes of light.
 class FlowTracker {
  public:
   explicit FlowTracker(const FlowConfig& config);

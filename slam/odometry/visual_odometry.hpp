@@ -14,12 +14,12 @@ struct VisualOdometryConfig {
   FlowConfig flow{};
   int frames_per_key = 1;           ///< pictures compared with one reference before the next one replaces it
   double pixel_noise = 3.0;         ///< of the camera, standard deviation [grey]
-  double texture_over_noise = 4.0;  ///< gate: a point counts if its window shows this many times what noise would
+  double texture_over_noise = 1.5;  ///< gate: a point counts if its window shows this many times what noise would
   int min_inliers = 20;             ///< gate: pairs that agree with the motion, at least
   double min_inlier_share = 0.5;    ///< gate: their share of all pairs, at least
   double inlier_distance = 1.0;     ///< [pixel]
-  double covariance_factor = 2.0;   ///< on the covariance of the fit: neighbouring windows share pixels
-  double scale_error = 0.003;       ///< share of the motion that may be wrong in every picture alike
+  double covariance_factor = 1.5;   ///< on the covariance of the fit: neighbouring windows share pixels
+  double scale_error = 0.001;       ///< share of the motion that may be wrong in every picture alike
 };
 
 /// Motion of the base from pictures of the floor.
