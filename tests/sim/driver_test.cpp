@@ -66,6 +66,19 @@ TEST(Driver, KeepsFacesAndTurnsAsTheLegSays) {
   EXPECT_LE(face_error, radians(2.1));
 }
 
+TEST(Driver, TurnsOnTheSpotBeforeItLeavesAWaypointThatStatesAHeading) {
+  DriveConfig config;
+  config.waypoints = {{.p_map = {0.0, 0.0}, .mode = LegHeading::kFace, .heading = radians(90.0)},
+                      {.p_map = {1.0, 0.0}, .mode = LegHeading::kKeep}};
+  Simulation simulation(empty_room(4.0, 4.0), even_robot(), 3);
+  Driver driver(config);
+  drive(simulation, driver, 1, 60.0, [](const Truth&, int) {});
+  EXPECT_NEAR(simulation.truth().T_map_base.theta, radians(90.0), radians(2.1));
+  EXPECT_LT(simulation.truth().T_map_base.position().norm(), 0.02);
+  drive(simulation, driver, 2, 60.0, [](const Truth&, int) {});
+  EXPECT_NEAR(simulation.truth().T_map_base.theta, radians(90.0), radians(2.1));
+}
+
 TEST(Driver, LooksAlongTheLegBeforeItDrivesOff) {
   DriveConfig config;
   config.waypoints = {{.p_map = {-1.4, 0.0}}};

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/rng.hpp"
@@ -42,6 +43,20 @@ TEST(Energy, IsLostToFrictionWhenTheWheelsAreHeld) {
     EXPECT_EQ(before, 0.0);  // the push is felt in the next step
     EXPECT_GT(simulation.truth().T_map_base.position().norm(), 0.01);
   }
+}
+
+TEST(Friction, HoldsWheelsThatHaveGripWithoutCreep) {
+  RobotConfig config = even_robot();
+  config.motor.max_torque = 0.2;  // 4 N at the rim, where the floor would hold 12 N
+  Simulation simulation(empty_room(20.0, 20.0), config, 1);
+  simulation.command(Twist2{0.4, 0.2, 0.6});
+  double worst = 0.0;
+  for (int step = 0; step < 1500; ++step) {
+    simulation.step();
+    if (step < 10) continue;  // the solver warms up
+    for (const WheelContact& wheel : simulation.wheel_contacts()) worst = std::max(worst, std::abs(wheel.slip));
+  }
+  EXPECT_LT(worst, 1e-9);
 }
 
 TEST(Friction, SlidingWheelsBrakeWithTheWeightTimesFriction) {
