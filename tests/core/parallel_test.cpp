@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "core/check.hpp"
 #include "core/rng.hpp"
@@ -53,7 +55,11 @@ TEST(Parallel, SurvivesManyShortLoops) {
 TEST(Parallel, RethrowsTheFirstExceptionAndGoesOn) {
   for (const int threads : {1, 2, 5}) {
     Workers workers(threads);
-    const auto body = [](std::size_t i, int) {
+    std::atomic<bool> later_failed = threads == 1;
+    const auto body = [&](std::size_t i, int) {
+      if (i == 17) later_failed = true;
+      while (i == 7 && !later_failed) std::this_thread::yield();
+      if (i == 7) std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the later one is on record by now
       if (i % 10 == 7) throw std::runtime_error("index " + std::to_string(i));
     };
     for (int round = 0; round < 20; ++round) {

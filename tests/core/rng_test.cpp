@@ -83,13 +83,13 @@ TEST(Rng, UniformIsUniform) {
 
 TEST(Rng, NormalIsNormal) {
   Rng rng({.seed = 9, .purpose = Purpose::kWorld});
-  std::vector<double> draws(100'000), products;
+  std::vector<double> draws(1'000'000), products;
   for (double& d : draws) d = rng.normal();
   for (std::size_t i = 0; i + 1 < draws.size(); i += 2) products.push_back(draws[i] * draws[i + 1]);
-  EXPECT_NEAR(moments(draws).mean, 0.0, 4.0 / std::sqrt(1e5));
-  EXPECT_NEAR(moments(draws).variance, 1.0, 4.0 * std::sqrt(2.0 / 1e5));
+  EXPECT_NEAR(moments(draws).mean, 0.0, 4.0 / std::sqrt(1e6));
+  EXPECT_NEAR(moments(draws).variance, 1.0, 4.0 * std::sqrt(2.0 / 1e6));
   EXPECT_LT(ks_statistic(draws, [](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }), 1.63);
-  EXPECT_NEAR(moments(products).mean, 0.0, 4.0 / std::sqrt(5e4));  // the two halves of a Box-Muller pair
+  EXPECT_NEAR(moments(products).mean, 0.0, 4.0 / std::sqrt(5e5));  // the two halves of a Box-Muller pair
 }
 
 TEST(Rng, BelowIsUnbiased) {
