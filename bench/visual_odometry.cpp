@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -44,8 +45,9 @@ struct Track {
 };
 
 /// Drives the path; an increment without estimate is filled from the truth, and counted.
-Track drive(const Floor& floor, const FloorCameraConfig& camera_config, const VisualOdometryConfig& config, Path path,
+Track drive(const Floor& floor, const FloorCameraConfig& camera_config, VisualOdometryConfig config, Path path,
             double distance) {
+  config.pixel_noise = std::max(camera_config.noise, 0.5);  // the gate knows the camera; rounding is noise, too
   FloorCamera camera(camera_config, floor, 1);
   VisualOdometry odometry(camera_config.model, config);
   Track track;

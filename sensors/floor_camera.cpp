@@ -34,6 +34,8 @@ void read_light(ConfigSection& section, FloorLightConfig& light) {
 void read(ConfigSection& section, FloorCameraConfig& config) {
   section.read("enabled", config.enabled);
   read_model(section, config.model);
+  section.read("height_error", config.height_error, {-0.5, 0.5});
+  section.read_degrees("mount_yaw_error_deg", config.yaw_error, {-45.0, 45.0});
   section.read("rate_hz", config.rate, {0.1, 1000.0});
   section.read("noise_grey", config.noise, {0.0, 64.0});
   section.read("exposure_s", config.exposure, {0.0, 1.0});
@@ -49,8 +51,16 @@ void read(ConfigSection& section, FloorCameraConfig& config) {
   }
 }
 
+CameraModel true_model(const FloorCameraConfig& config) {
+  CameraModel model = config.model;
+  model.height_above_floor *= 1.0 + config.height_error;
+  model.T_base_camera.theta = wrap_angle(model.T_base_camera.theta + config.yaw_error);
+  return model;
+}
+
 FloorCamera::FloorCamera(const FloorCameraConfig& config, const Floor& floor, std::uint32_t seed)
     : config_(config),
+      true_model_(true_model(config)),
       seed_(seed),
       vignette_(vignette_gains(config.light, config.model.width, config.model.height)),
       renderer_(std::make_unique<FloorRenderer>(paint_floor(floor), config.model.width, config.model.height)) {}
@@ -81,9 +91,8 @@ void FloorCamera::expose(const Pose2& T_map_base, const Twist2& twist, std::vect
 }
 
 void FloorCamera::render(const Pose2& T_map_base, std::vector<std::uint8_t>& grey) {
-  const CameraModel& model = config_.model;
-  const double w = model.width, h = model.height;
-  const auto seen = [&](double x, double y) { return T_map_base * model.floor_point({x, y}); };
+  const double w = true_model_.width, h = true_model_.height;
+  const auto seen = [&](double x, double y) { return T_map_base * true_model_.floor_point({x, y}); };
   renderer_->render({seen(0, 0), seen(w, 0), seen(w, h), seen(0, h)}, grey);
 }
 

@@ -19,17 +19,22 @@ class FloorRenderer;
 /// The camera under the robot, and all that spoils its pictures.
 struct FloorCameraConfig {
   bool enabled = true;
-  CameraModel model{};
-  double rate = 30.0;      ///< [Hz]
-  double noise = 3.0;      ///< of each pixel, standard deviation [grey]
-  double exposure = 0.0;   ///< [s]; over 0: pictures are smeared along the motion
-  int exposure_steps = 6;  ///< pictures averaged over the exposure
+  CameraModel model{};        ///< as calibrated: what odometry is told
+  double height_error = 0.0;  ///< true height above the floor less the calibrated, as a share of it
+  double yaw_error = 0.0;     ///< true mounting angle less the calibrated [rad]
+  double rate = 30.0;         ///< [Hz]
+  double noise = 3.0;         ///< of each pixel, standard deviation [grey]
+  double exposure = 0.0;      ///< [s]; over 0: pictures are smeared along the motion
+  int exposure_steps = 6;     ///< pictures averaged over the exposure
   FloorLightConfig light{};
   std::vector<Eigen::Vector2d> blackouts;  ///< spans (from, to) [s] without any light; noise remains
 };
 
 /// Reads the `camera:` section.
 void read(ConfigSection& section, FloorCameraConfig& config);
+
+/// The camera as it really hangs: `config.model` with its calibration errors.
+CameraModel true_model(const FloorCameraConfig& config);
 
 /// Takes pictures of a floor. A picture is a function of (configuration, floor, seed, frame, stamp, pose, twist) alone.
 class FloorCamera {
@@ -49,6 +54,7 @@ class FloorCamera {
   [[nodiscard]] bool blacked_out(Time stamp) const;
 
   FloorCameraConfig config_;
+  CameraModel true_model_;
   std::uint32_t seed_;
   std::vector<float> vignette_;
   std::unique_ptr<FloorRenderer> renderer_;
