@@ -46,6 +46,50 @@ TEST(RunRecord, KeepsTheKeysOfSchemaOne) {
   }
 }
 
+TEST(RunRecord, WritesEveryFigureUnderItsOwnKey) {
+  RunRecord record;
+  VariantRecord v;
+  Scores& s = v.scores;
+  s.path_mse_m2 = 1.5, s.heading_mse_rad2 = 2.5, s.path_mse_final_m2 = 3.5, s.heading_mse_final_rad2 = 4.5;
+  s.odometry_path_mse_m2 = 5.5, s.odometry_heading_mse_rad2 = 6.5, s.ate_rmse_m = 7.5;
+  s.rpe_trans_m = 8.5, s.rpe_rot_rad = 9.5, s.grid_mse = 10.5, s.grid_mse_all = 11.5, s.grid_mse_logodds = 12.5;
+  s.grid_log_score = 13.5, s.path_mse_vs_baseline_m2 = 14.5, s.grid_mse_vs_baseline = 15.5;
+  s.registered = 16, s.tracked = 17, s.resamplings = 18, s.ancestors_100 = 19;
+  s.payload_bytes = 20.5, s.bytes = 21.5, s.bytes_peak = 22, s.state_hash = "23", s.map_hash = "24";
+  v.costs = {.cpu_s = 25.5, .cpu_ms_per_registered = 26.5, .wall_s = 27.5, .rss_bytes_above_start = 28};
+  record.variants.push_back(v);
+  const json written = json::parse(to_json(record))["variants"][0];
+  const json scores{{"path_mse_m2", 1.5},
+                    {"heading_mse_rad2", 2.5},
+                    {"path_mse_final_m2", 3.5},
+                    {"heading_mse_final_rad2", 4.5},
+                    {"odometry_path_mse_m2", 5.5},
+                    {"odometry_heading_mse_rad2", 6.5},
+                    {"ate_rmse_m", 7.5},
+                    {"rpe_trans_m", 8.5},
+                    {"rpe_rot_rad", 9.5},
+                    {"grid_mse", 10.5},
+                    {"grid_mse_all", 11.5},
+                    {"grid_mse_logodds", 12.5},
+                    {"grid_log_score", 13.5},
+                    {"grid_confusion", nullptr},
+                    {"path_mse_vs_baseline_m2", 14.5},
+                    {"grid_mse_vs_baseline", 15.5},
+                    {"registered", 16},
+                    {"tracked", 17},
+                    {"resamplings", 18},
+                    {"ancestors_100", 19},
+                    {"payload_bytes", 20.5},
+                    {"bytes", 21.5},
+                    {"bytes_peak", 22},
+                    {"state_hash", "23"},
+                    {"map_hash", "24"},
+                    {"relations", {{"online", nullptr}, {"final", nullptr}}}};
+  EXPECT_EQ(written["scores"], scores);
+  const json costs{{"cpu_s", 25.5}, {"cpu_ms_per_registered", 26.5}, {"wall_s", 27.5}, {"rss_bytes_above_start", 28}};
+  EXPECT_EQ(written["costs"], costs);
+}
+
 TEST(RunRecord, WritesNullForWhatWasNotMeasuredAndZeroForZero) {
   const json v = json::parse(to_json(record_of_one()))["variants"][0];
   EXPECT_TRUE(v["percent_kept"].is_null());
