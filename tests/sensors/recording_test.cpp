@@ -20,7 +20,7 @@ Recording sample_recording() {
     r.sequence = i;
     r.stamp = {static_cast<std::int64_t>(i) * 25'000'000 - (i == 7 ? 900'000'000 : 0)};  // stamps may jump back
     r.motion.T_before_now = {rng.normal(), rng.normal(), rng.normal()};
-    r.motion.covariance = Eigen::Matrix3d::Constant(rng.uniform());
+    r.motion.covariance << 1, 2, 3, 4, 5, 6, 7, 8, rng.uniform();
     r.motion.source = static_cast<MotionSource>(i % 3);
     r.twist = {rng.normal(), -0.0, rng.normal()};
     if (i % 2 == 0) {

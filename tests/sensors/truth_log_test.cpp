@@ -42,6 +42,7 @@ TEST_F(TruthLogFile, ComesBackExactly) {
   EXPECT_EQ(in.world.floor.seed, 99u);
   ASSERT_EQ(in.world.slip_patches.size(), 2u);
   EXPECT_EQ(in.world.slip_patches[1].centre, Eigen::Vector2d(-1.0, 0.0));
+  EXPECT_EQ(in.world.slip_patches[1].radius, 0.2);
   EXPECT_EQ(in.world.slip_patches[1].friction, 0.1);
   EXPECT_EQ(in.world.start, out.world.start);
 }
