@@ -54,7 +54,7 @@ Row score_row(const VariantRecord& v) {
           count(s.resamplings)};
 }
 
-void add_relations(const std::string& variant, const char* path, const std::optional<RelationErrors>& errors,
+void add_relations(const VariantRecord& v, const char* path, const std::optional<RelationErrors>& errors,
                    std::vector<Row>& rows) {
   if (!errors) return;
   const std::pair<const char*, RelationStats> splits[] = {
@@ -63,8 +63,9 @@ void add_relations(const std::string& variant, const char* path, const std::opti
     const auto text = [&, n = stats.count](double value, int digits) {
       return n > 0 ? fmt::format("{:.{}f}", value, digits) : "-";
     };
-    rows.push_back({variant, path, name, fmt::format("{}", stats.count), text(stats.trans_mean, 4),
-                    text(stats.trans_std, 4), text(degrees(stats.rot_mean), 2), text(degrees(stats.rot_std), 2)});
+    rows.push_back({v.name, fmt::format("{}", v.cell_size_m), path, name, fmt::format("{}", stats.count),
+                    text(stats.trans_mean, 4), text(stats.trans_std, 4), text(degrees(stats.rot_mean), 2),
+                    text(degrees(stats.rot_std), 2)});
   }
 }
 
@@ -78,10 +79,11 @@ std::string score_table(const RunRecord& record) {
 }
 
 std::string relations_table(const RunRecord& record) {
-  std::vector<Row> rows{{"variant", "path", "relations", "count", "trans mean m", "std m", "rot mean deg", "std deg"}};
+  std::vector<Row> rows{
+      {"variant", "cell m", "path", "relations", "count", "trans mean m", "std m", "rot mean deg", "std deg"}};
   for (const VariantRecord& v : record.variants) {
-    add_relations(v.name, "online", v.scores.relations_online, rows);
-    add_relations(v.name, "final", v.scores.relations_final, rows);
+    add_relations(v, "online", v.scores.relations_online, rows);
+    add_relations(v, "final", v.scores.relations_final, rows);
   }
   return rows.size() > 1 ? aligned(rows) : "";
 }

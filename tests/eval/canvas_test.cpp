@@ -5,6 +5,7 @@
 #include "core/check.hpp"
 #include "core/rng.hpp"
 #include "eval/report/palette.hpp"
+#include "eval/report/scale_bar.hpp"
 
 namespace cogslam {
 namespace {
@@ -73,6 +74,22 @@ TEST(Canvas, DrawsTextAsWideAsItSays) {
   }
   EXPECT_EQ(last, 4 + Canvas::text_width("H\xC3", 2) - 1);
   EXPECT_EQ(canvas.pixel(4, 3), kBlack);  // upper left dot of the H
+}
+
+/// Black pixels from the left end of a scale bar at (5, 5), along its middle.
+int bar_length(double pixels_per_metre) {
+  Canvas canvas(600, 40, kWhite);
+  draw_scale_bar(canvas, 5, 5, pixels_per_metre);
+  int length = 0;
+  while (canvas.pixel(5 + length, 5 + 8) == kBlack) ++length;
+  return length;
+}
+
+TEST(ScaleBar, IsAMetreOrTheNextPowerOfTenThatCanBeSeen) {
+  EXPECT_EQ(bar_length(190.4), 190);
+  EXPECT_EQ(bar_length(24.0), 24);
+  EXPECT_EQ(bar_length(23.0), 230);
+  EXPECT_EQ(bar_length(0.5), 50);
 }
 
 TEST(Canvas, RejectsImpossibleSizes) {
