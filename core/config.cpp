@@ -151,6 +151,7 @@ std::vector<ConfigSection> ConfigSection::sections(const std::string& key) {
   }
   tree_->note(key, list);
   std::vector<ConfigSection> out;
+  out.reserve(list.size());
   for (const ConfigTreePtr& item : list) out.push_back(ConfigSection(item));
   return out;
 }

@@ -38,9 +38,7 @@ struct GridFrame {
   /// The smallest frame whose cells cover `area`, grown by `margin_cells` on every side.
   static GridFrame covering(const Rectangle& area, double cell_size, int margin_cells = 0);
 
-  [[nodiscard]] std::size_t size() const {
-    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   [[nodiscard]] bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
   [[nodiscard]] std::size_t index(Cell c) const {
     return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x);

@@ -12,8 +12,7 @@ namespace cogslam {
 class Hash {
  public:
   template <class T>
-    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>)
-  Hash& add(T value) {
+  requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) Hash& add(T value) {
     unsigned char bytes[sizeof(T)];
     std::memcpy(bytes, &value, sizeof(T));
     for (const unsigned char b : bytes) state_ = (state_ ^ b) * 0x100000001b3ULL;

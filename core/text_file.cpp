@@ -62,7 +62,7 @@ struct LineReader::State {
   int number = 0;
 };
 
-LineReader::LineReader(std::filesystem::path file, TextLimits limits)
+LineReader::LineReader(const std::filesystem::path& file, TextLimits limits)
     : state_(new State{ByteSource(file, limits.file_bytes), limits.line_bytes}) {}
 LineReader::~LineReader() = default;
 LineReader::LineReader(LineReader&&) noexcept = default;

@@ -22,7 +22,7 @@ struct TextLimits {
 /// reading) where it cannot be opened, is a directory, holds broken or cut-off gzip data, or exceeds the limits.
 class LineReader {
  public:
-  explicit LineReader(std::filesystem::path file, TextLimits limits = {});
+  explicit LineReader(const std::filesystem::path& file, TextLimits limits = {});
   ~LineReader();
   LineReader(LineReader&&) noexcept;
   LineReader& operator=(LineReader&&) noexcept;
