@@ -1,6 +1,8 @@
 #include "slam/odometry/flow.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
@@ -10,8 +12,8 @@
 namespace cogslam {
 namespace {
 
-// OpenCV reports the eigenvalue over 2^20 for gradients that are 32 times too large.
-constexpr double kTextureUnit = 1048576.0 / (32.0 * 32.0);
+// OpenCV's Scharr gradients are 32 times too large.
+constexpr double kGradientUnit = 32.0;
 // Side of the square whose mean is taken off each pixel [pixel].
 constexpr int kFlattenSide = 31;
 
@@ -38,7 +40,8 @@ struct FlowTracker::State {
   };
   Picture reference;
   Picture latest;
-  std::vector<cv::Point2f> points;
+  std::vector<cv::Point2f> points;  ///< in the reference
+  std::vector<double> texture;      ///< of each point
 };
 
 namespace {
@@ -70,6 +73,25 @@ std::vector<cv::Point2f> corners_of(const cv::Mat& grey, const FlowConfig& confi
   return corners;
 }
 
+/// Smaller eigenvalue of the mean squared gradient over the window around a point.
+double texture_at(const cv::Mat& gradients, const cv::Point2f& point, int window) {
+  const cv::Rect around(cvRound(point.x) - window / 2, cvRound(point.y) - window / 2, window, window);
+  const cv::Rect inside = around & cv::Rect(0, 0, gradients.cols, gradients.rows);
+  std::int64_t xx = 0, xy = 0, yy = 0;
+  for (int row = inside.y; row < inside.y + inside.height; ++row) {
+    const auto* gradient = gradients.ptr<cv::Vec2s>(row);
+    for (int column = inside.x; column < inside.x + inside.width; ++column) {
+      const int x = gradient[column][0], y = gradient[column][1];
+      xx += x * x;
+      xy += x * y;
+      yy += y * y;
+    }
+  }
+  const double half_trace = 0.5 * static_cast<double>(xx + yy), half_difference = 0.5 * static_cast<double>(xx - yy);
+  const double smaller = half_trace - std::hypot(half_difference, static_cast<double>(xy));
+  return smaller / (kGradientUnit * kGradientUnit * std::max(1, inside.area()));
+}
+
 }  // namespace
 
 FlowTracker::FlowTracker(const FlowConfig& config) : config_(config), state_(std::make_unique<State>()) {
@@ -80,38 +102,51 @@ FlowTracker::~FlowTracker() = default;
 
 bool FlowTracker::has_reference() const { return !state_->reference.pyramid.empty(); }
 
+int FlowTracker::points() const { return static_cast<int>(state_->points.size()); }
+
 void FlowTracker::start(const FloorImage& image) {
-  State::Picture& reference = state_->reference;
-  reference.grey = flattened(view_of(image));
-  reference.pyramid = pyramid_of(reference.grey, config_);
-  state_->points = corners_of(reference.grey, config_);
+  look(image);
+  rebase({});
 }
 
-std::vector<FlowPair> FlowTracker::track(const FloorImage& image, const Prediction& predicted) {
-  EXPECTS(has_reference());
+void FlowTracker::look(const FloorImage& image) {
   State& s = *state_;
-  EXPECTS(image.width == s.reference.grey.cols && image.height == s.reference.grey.rows);
   s.latest.grey = flattened(view_of(image));
   s.latest.pyramid = pyramid_of(s.latest.grey, config_);
-  if (s.points.empty()) return {};
+}
 
+Eigen::Vector2d FlowTracker::shift() const {
+  const State& s = *state_;
+  EXPECTS(has_reference() && s.latest.grey.size() == s.reference.grey.size());
+  cv::Mat before, now, window;
+  s.reference.grey.convertTo(before, CV_32F);
+  s.latest.grey.convertTo(now, CV_32F);
+  cv::createHanningWindow(window, before.size(), CV_32F);
+  const cv::Point2d moved = cv::phaseCorrelate(before, now, window);
+  return {moved.x, moved.y};
+}
+
+std::vector<FlowPair> FlowTracker::track(const Prediction& predicted) const {
+  const State& s = *state_;
+  EXPECTS(has_reference() && s.latest.grey.size() == s.reference.grey.size());
+  if (s.points.empty()) return {};
   std::vector<cv::Point2f> found;
   for (const cv::Point2f& p : s.points) found.push_back(to_cv(predicted(from_cv(p))));
   std::vector<std::uint8_t> status;
-  std::vector<float> texture;
+  std::vector<float> difference;
   cv::calcOpticalFlowPyrLK(
-      s.reference.pyramid, s.latest.pyramid, s.points, found, status, texture, {config_.window, config_.window},
+      s.reference.pyramid, s.latest.pyramid, s.points, found, status, difference, {config_.window, config_.window},
       config_.levels - 1, {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, config_.iterations, config_.step_tolerance},
-      cv::OPTFLOW_USE_INITIAL_FLOW | cv::OPTFLOW_LK_GET_MIN_EIGENVALS, /*minEigThreshold=*/1e-7);
+      cv::OPTFLOW_USE_INITIAL_FLOW, /*minEigThreshold=*/1e-7);
 
-  const int border = config_.window / 2;
-  const cv::Rect2f inside(static_cast<float>(border), static_cast<float>(border),
-                          static_cast<float>(image.width - 1 - 2 * border),
-                          static_cast<float>(image.height - 1 - 2 * border));
+  const auto border = static_cast<float>(config_.window / 2);
+  const cv::Size size = s.latest.grey.size();
+  const cv::Rect2f inside(border, border, static_cast<float>(size.width - 1) - 2 * border,
+                          static_cast<float>(size.height - 1) - 2 * border);
   std::vector<FlowPair> pairs;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (status[i] == 0 || !inside.contains(found[i])) continue;
-    pairs.push_back({from_cv(s.points[i]), from_cv(found[i]), kTextureUnit * static_cast<double>(texture[i])});
+    pairs.push_back({from_cv(s.points[i]), from_cv(found[i]), s.texture[i]});
   }
   return pairs;
 }
@@ -119,11 +154,16 @@ std::vector<FlowPair> FlowTracker::track(const FloorImage& image, const Predicti
 void FlowTracker::rebase(const std::vector<Eigen::Vector2d>& points) {
   State& s = *state_;
   std::swap(s.reference, s.latest);
+  std::vector<cv::Point2f> wanted;
+  for (const Eigen::Vector2d& p : points) wanted.push_back(to_cv(p));
+  if (3 * points.size() < 2 * static_cast<std::size_t>(config_.points)) wanted = corners_of(s.reference.grey, config_);
   s.points.clear();
-  if (3 * points.size() < 2 * static_cast<std::size_t>(config_.points)) {
-    s.points = corners_of(s.reference.grey, config_);
-  } else {
-    for (const Eigen::Vector2d& p : points) s.points.push_back(to_cv(p));
+  s.texture.clear();
+  for (const cv::Point2f& p : wanted) {
+    const double texture = texture_at(s.reference.pyramid[1], p, config_.window);  // gradients follow each level
+    if (texture < config_.min_texture) continue;
+    s.points.push_back(p);
+    s.texture.push_back(texture);
   }
 }
 

@@ -16,6 +16,7 @@ struct FlowConfig {
   int window = 15;                ///< side of the square compared around a point [pixel]
   int levels = 3;                 ///< of the picture pyramid
   int iterations = 20;            ///< at most, on each level
+  double min_texture = 0.0;       ///< points with less (see FlowPair) are not followed
   double step_tolerance = 0.003;  ///< [pixel] iterations end below this; larger ones leave motion unreported
 };
 
@@ -40,19 +41,29 @@ class FlowTracker {
 
   [[nodiscard]] bool has_reference() const;
 
-  /// Where a point of the reference is expected now: the search starts there.
-  using Prediction = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
-
-  /// The points of the reference picture that are found again in `image`. Pairs too near the border, where part of the
-  /// window would be missing, are left out.
-  std::vector<FlowPair> track(const FloorImage& image, const Prediction& predicted);
-
-  /// Makes the picture last given to track() the reference. Its points are `points`, or new corners where these have
-  /// become fewer than two thirds of the wanted number.
-  void rebase(const std::vector<Eigen::Vector2d>& points);
-
   /// Makes `image` the reference, with new corners.
   void start(const FloorImage& image);
+
+  /// Takes in the picture that is compared with the reference from now on.
+  void look(const FloorImage& image);
+
+  /// By how far the whole picture has moved since the reference [pixel], from the peak of the phase correlation (Kuglin
+  /// & Hines 1975). Good to a pixel for any shift up to half the picture and turns of a few degrees; slow (1.5 ms).
+  [[nodiscard]] Eigen::Vector2d shift() const;
+
+  /// Where a point of the reference is expected now: the search starts there and reaches about 5 pixels.
+  using Prediction = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
+
+  /// The points of the reference that are found again. Pairs too near the border, where part of the window would be
+  /// missing, are left out.
+  [[nodiscard]] std::vector<FlowPair> track(const Prediction& predicted) const;
+
+  /// How many points of the reference show enough texture to be followed.
+  [[nodiscard]] int points() const;
+
+  /// Makes the picture last looked at the reference. Its points are `points`, or new corners where these have become
+  /// fewer than two thirds of the wanted number.
+  void rebase(const std::vector<Eigen::Vector2d>& points);
 
  private:
   struct State;

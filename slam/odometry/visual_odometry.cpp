@@ -1,11 +1,23 @@
 #include "slam/odometry/visual_odometry.hpp"
 
+#include <utility>
+
 #include "core/check.hpp"
 
 namespace cogslam {
 
+namespace {
+
+FlowConfig gated(const VisualOdometryConfig& config) {
+  FlowConfig flow = config.flow;
+  flow.min_texture = config.texture_over_noise * texture_of_noise(config.pixel_noise);
+  return flow;
+}
+
+}  // namespace
+
 VisualOdometry::VisualOdometry(const CameraModel& model, const VisualOdometryConfig& config)
-    : model_(model), config_(config), tracker_(config.flow) {}
+    : model_(model), config_(config), tracker_(gated(config)) {}
 
 std::optional<MotionIncrement> VisualOdometry::update(const FloorImage& image) {
   EXPECTS(image.width == model_.width && image.height == model_.height);
@@ -16,44 +28,54 @@ std::optional<MotionIncrement> VisualOdometry::update(const FloorImage& image) {
     return std::nullopt;
   }
   EXPECTS(dt > 0.0);
-  const Pose2 T_key_guess = T_key_last_ * Pose2::exp(dt * twist_);
-  const std::vector<FlowPair> pairs =
-      tracker_.track(image, [&](const Eigen::Vector2d& pixel) { return predicted(pixel, T_key_guess); });
-  const std::optional<PlanarFit> found = fit(pairs);
+  tracker_.look(image);
+  const std::optional<Found> found = find(dt);
   if (!found) {
     tracker_.rebase({});
     T_key_last_ = Pose2{};
-    twist_ = Twist2{};
+    twist_.reset();
     frames_since_key_ = 0;
     return std::nullopt;
   }
-  const MotionIncrement increment = increment_to(*found);
-  const Twist2 motion = increment.T_before_now.log();
-  twist_ = (1.0 / dt) * motion;
-  T_key_last_ = found->T_before_now;
-  keep_key_fresh(pairs, *found);
+  const MotionIncrement increment = increment_to(found->fit);
+  twist_ = (1.0 / dt) * increment.T_before_now.log();
+  T_key_last_ = found->fit.T_before_now;
+  keep_key_fresh(*found);
   return increment;
+}
+
+/// First near where the last twist leads; where that is unknown or fails, near the shift of the whole picture.
+std::optional<VisualOdometry::Found> VisualOdometry::find(double dt) const {
+  if (tracker_.points() < config_.min_inliers) return std::nullopt;
+  std::optional<Found> found;
+  if (twist_) {
+    const Pose2 T_key_guess = T_key_last_ * Pose2::exp(dt * *twist_);
+    found = find_near([&](const Eigen::Vector2d& pixel) { return predicted(pixel, T_key_guess); });
+  }
+  if (!found) {
+    const Eigen::Vector2d shift = tracker_.shift();
+    found = find_near([&](const Eigen::Vector2d& pixel) -> Eigen::Vector2d { return pixel + shift; });
+  }
+  return found;
+}
+
+std::optional<VisualOdometry::Found> VisualOdometry::find_near(const FlowTracker::Prediction& predicted) const {
+  std::vector<FlowPair> pairs = tracker_.track(predicted);
+  std::vector<FloorPair> floor_pairs;
+  for (const FlowPair& pair : pairs)
+    floor_pairs.push_back({model_.floor_point(pair.before), model_.floor_point(pair.now)});
+  const double pixel = model_.metres_per_pixel();
+  const std::optional<PlanarFit> fit =
+      fit_planar_motion(floor_pairs, {.inlier_distance = config_.inlier_distance * pixel,
+                                      .loss_scale = 0.3 * pixel,
+                                      .min_inliers = config_.min_inliers});
+  if (!fit || !fit->converged) return std::nullopt;
+  if (fit->inliers < config_.min_inlier_share * static_cast<double>(pairs.size())) return std::nullopt;
+  return Found{*fit, std::move(pairs)};
 }
 
 Eigen::Vector2d VisualOdometry::predicted(const Eigen::Vector2d& pixel, const Pose2& T_key_now) const {
   return model_.pixel_of(T_key_now.inverse() * model_.floor_point(pixel));
-}
-
-std::optional<PlanarFit> VisualOdometry::fit(const std::vector<FlowPair>& pairs) const {
-  const double least_texture = config_.texture_over_noise * texture_of_noise(config_.pixel_noise);
-  std::vector<FloorPair> floor_pairs;
-  for (const FlowPair& pair : pairs) {
-    if (pair.texture < least_texture) continue;
-    floor_pairs.push_back({model_.floor_point(pair.before), model_.floor_point(pair.now)});
-  }
-  const double pixel = model_.metres_per_pixel();
-  const std::optional<PlanarFit> found =
-      fit_planar_motion(floor_pairs, {.inlier_distance = config_.inlier_distance * pixel,
-                                      .loss_scale = 0.3 * pixel,
-                                      .min_inliers = config_.min_inliers});
-  if (!found || !found->converged) return std::nullopt;
-  if (found->inliers < config_.min_inlier_share * static_cast<double>(floor_pairs.size())) return std::nullopt;
-  return found;
 }
 
 MotionIncrement VisualOdometry::increment_to(const PlanarFit& fit) const {
@@ -68,14 +90,15 @@ MotionIncrement VisualOdometry::increment_to(const PlanarFit& fit) const {
   return increment;
 }
 
-void VisualOdometry::keep_key_fresh(const std::vector<FlowPair>& pairs, const PlanarFit& fit) {
+/// Takes the latest picture as reference where it is time to, with the points that agree with the motion.
+void VisualOdometry::keep_key_fresh(const Found& found) {
   ++frames_since_key_;
-  const bool few_left = 2 * fit.inliers < config_.flow.points;
+  const bool few_left = 2 * found.fit.inliers < config_.flow.points;
   if (frames_since_key_ < config_.frames_per_key && !few_left) return;
   std::vector<Eigen::Vector2d> points;
-  const double reach = config_.inlier_distance;
-  for (const FlowPair& pair : pairs) {
-    if ((predicted(pair.before, fit.T_before_now) - pair.now).norm() <= reach) points.push_back(pair.now);
+  for (const FlowPair& pair : found.pairs) {
+    const Eigen::Vector2d expected = predicted(pair.before, found.fit.T_before_now);
+    if ((expected - pair.now).norm() <= config_.inlier_distance) points.push_back(pair.now);
   }
   tracker_.rebase(points);
   T_key_last_ = Pose2{};

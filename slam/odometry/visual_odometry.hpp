@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/pose2.hpp"
 #include "sensors/camera_model.hpp"
@@ -34,16 +35,22 @@ class VisualOdometry {
 
  private:
   [[nodiscard]] Eigen::Vector2d predicted(const Eigen::Vector2d& pixel, const Pose2& T_key_now) const;
-  [[nodiscard]] std::optional<PlanarFit> fit(const std::vector<FlowPair>& pairs) const;
+  /// Where the base is now, seen from the reference picture, and the pairs that say so.
+  struct Found {
+    PlanarFit fit{};
+    std::vector<FlowPair> pairs;
+  };
+  [[nodiscard]] std::optional<Found> find(double dt) const;
+  [[nodiscard]] std::optional<Found> find_near(const FlowTracker::Prediction& predicted) const;
   [[nodiscard]] MotionIncrement increment_to(const PlanarFit& fit) const;
-  void keep_key_fresh(const std::vector<FlowPair>& pairs, const PlanarFit& fit);
+  void keep_key_fresh(const Found& found);
 
   CameraModel model_;
   VisualOdometryConfig config_;
   FlowTracker tracker_;
-  Time stamp_{};        ///< of the picture before
-  Pose2 T_key_last_{};  ///< the base at the picture before, seen from the reference picture
-  Twist2 twist_{};      ///< at the picture before
+  Time stamp_{};                   ///< of the picture before
+  Pose2 T_key_last_{};             ///< the base at the picture before, seen from the reference picture
+  std::optional<Twist2> twist_{};  ///< at the picture before, where known
   int frames_since_key_ = 0;
 };
 
