@@ -47,8 +47,8 @@ TEST(LineFields, RejectsWhatIsNoFiniteNumber) {
 }
 
 TEST(LineFields, ShortensALongFieldInMessages) {
-  const std::string text(1000, '7');
-  LineFields fields(text + "x", kPlace);
+  const std::string text = std::string(1000, '7') + "x";
+  LineFields fields(text, kPlace);
   EXPECT_EQ(error_text([&] { fields.number("x"); }),
             "a.log:12:1: x: expected a number, found '" + std::string(40, '7') + "...'");
 }
