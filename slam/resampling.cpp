@@ -9,8 +9,8 @@ namespace cogslam {
 
 std::vector<double> normalised_weights(const std::vector<double>& log_weights) {
   EXPECTS(!log_weights.empty());
+  EXPECTS(std::all_of(log_weights.begin(), log_weights.end(), [](double l) { return std::isfinite(l); }));
   const double top = *std::max_element(log_weights.begin(), log_weights.end());
-  EXPECTS(std::isfinite(top));
   std::vector<double> weights;
   double sum = 0.0;
   for (const double l : log_weights) {

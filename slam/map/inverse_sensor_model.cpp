@@ -5,14 +5,15 @@
 namespace cogslam {
 namespace {
 
-/// A point of the base frame in cells of the frame: one unit is one cell side.
+/// A point of the base frame in cells of the lattice: one unit is one cell side. Not in cells of a frame: taking its
+/// corner off before rounding would put a point on a cell border into different cells for different windows.
 class ToCells {
  public:
-  ToCells(const Pose2& T_map_base, const GridFrame& frame)
-      : c_(std::cos(T_map_base.theta) / frame.cell_size),
-        s_(std::sin(T_map_base.theta) / frame.cell_size),
-        x_(T_map_base.x / frame.cell_size - frame.lattice_min.x),
-        y_(T_map_base.y / frame.cell_size - frame.lattice_min.y) {}
+  ToCells(const Pose2& T_map_base, double cell_size)
+      : c_(std::cos(T_map_base.theta) / cell_size),
+        s_(std::sin(T_map_base.theta) / cell_size),
+        x_(T_map_base.x / cell_size),
+        y_(T_map_base.y / cell_size) {}
   Eigen::Vector2d operator()(const Eigen::Vector2d& p) const {
     return {x_ + c_ * p.x() - s_ * p.y(), y_ + s_ * p.x() + c_ * p.y()};
   }
@@ -27,7 +28,8 @@ Cell cell_at(const Eigen::Vector2d& p) {
 
 }  // namespace
 
-void MapUpdater::touch(Cell c, const GridFrame& frame, bool hit, bool overwrite) {
+void MapUpdater::touch(Cell lattice_cell, const GridFrame& frame, bool hit, bool overwrite) {
+  const Cell c{lattice_cell.x - frame.lattice_min.x, lattice_cell.y - frame.lattice_min.y};
   if (!frame.contains(c)) return;
   const auto index = static_cast<std::uint32_t>(frame.index(c));
   std::uint32_t& mark = marks_[index];
@@ -40,7 +42,7 @@ void MapUpdater::touch(Cell c, const GridFrame& frame, bool hit, bool overwrite)
 }
 
 void MapUpdater::mark(const std::vector<Beam>& sweep, const Pose2& T_map_base, CellRule rule, const GridFrame& frame) {
-  const ToCells to_cells(T_map_base, frame);
+  const ToCells to_cells(T_map_base, frame.cell_size);
   const bool last_beam_wins = rule == CellRule::kLastBeam;
   if (!last_beam_wins) {  // all hits first: what passes later cannot undo them
     for (const Beam& beam : sweep) {
@@ -74,14 +76,14 @@ CellWindow MapUpdater::integrate(const std::vector<Beam>& sweep, const Pose2& T_
   for (const std::uint32_t index : touched_) {
     float& value = log_odds.values()[index];
     value = model.after(value, (marks_[index] & 1U) != 0 ? model.hit : model.free);
-    changed.include({frame.lattice_min.x + static_cast<int>(index % width),
-                     frame.lattice_min.y + static_cast<int>(index / width)});
+    changed.include(
+        {frame.lattice_min.x + static_cast<int>(index % width), frame.lattice_min.y + static_cast<int>(index / width)});
   }
   return changed;
 }
 
 CellWindow window_of(const std::vector<Beam>& sweep, const Pose2& T_map_base, double cell_size) {
-  const ToCells to_cells(T_map_base, GridFrame{.cell_size = cell_size});
+  const ToCells to_cells(T_map_base, cell_size);
   CellWindow window;
   for (const Beam& beam : sweep) {
     window.include(cell_at(to_cells(beam.origin)));

@@ -22,10 +22,10 @@ class MapUpdater {
 
  private:
   void mark(const std::vector<Beam>& sweep, const Pose2& T_map_base, CellRule rule, const GridFrame& frame);
-  void touch(Cell c, const GridFrame& frame, bool hit, bool overwrite);
+  void touch(Cell lattice_cell, const GridFrame& frame, bool hit, bool overwrite);
 
-  std::vector<std::uint32_t> marks_;     ///< per cell: 2 * round + hit, where `round` is the call that wrote it
-  std::vector<std::uint32_t> touched_;   ///< indices of the cells marked in this round
+  std::vector<std::uint32_t> marks_;    ///< per cell: 2 * round + hit, where `round` is the call that wrote it
+  std::vector<std::uint32_t> touched_;  ///< indices of the cells marked in this round
   std::uint32_t round_ = 0;
 };
 
