@@ -1,0 +1,115 @@
+#include "slam/path_tree.hpp"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "core/rng.hpp"
+
+namespace cogslam {
+namespace {
+
+std::vector<std::size_t> records_of(const std::vector<RegisteredPose>& path) {
+  std::vector<std::size_t> records;
+  for (const RegisteredPose& pose : path) {
+    records.push_back(pose.record);
+    EXPECT_EQ(pose.T_map_base.x, static_cast<double>(pose.record));
+  }
+  return records;
+}
+
+RegisteredPose pose_of(std::size_t record) { return {record, {static_cast<double>(record), 0.0, 0.0}}; }
+
+std::int64_t bytes_of_one_node() {
+  PathTree tree;
+  tree.append(PathTree::kRoot, pose_of(0));
+  return tree.bytes();
+}
+
+/// A holder of a node, and its whole path written out: the slow twin.
+struct Holder {
+  PathTree::Node node = PathTree::kRoot;
+  std::vector<std::size_t> path;
+};
+
+TEST(PathTree, EqualsFullCopiesOfThePathsOverRandomUse) {
+  const std::int64_t node_bytes = bytes_of_one_node();
+  for (std::uint32_t round = 0; round < 20; ++round) {
+    Rng rng({.seed = 44, .purpose = Purpose::kWorld, .entity = round});
+    PathTree tree;
+    std::vector<Holder> holders(5);
+    std::size_t next = 0;
+    for (int step = 0; step < 400; ++step) {
+      Holder& one = holders[rng.below(5)];
+      Holder& other = holders[rng.below(5)];
+      switch (rng.below(4)) {
+        case 0:  // a particle is drawn into another's slot
+          tree.hold(other.node);
+          tree.release(one.node);
+          one = other;
+          break;
+        case 1:
+          if (rng.below(20) == 0) {
+            tree.release(one.node);
+            one = {};
+          }
+          break;
+        default: {
+          const PathTree::Node leaf = tree.append(one.node, pose_of(next));
+          tree.release(one.node);
+          one.node = leaf;
+          one.path.push_back(next++);
+        }
+      }
+      std::set<std::size_t> alive;
+      for (const Holder& holder : holders) alive.insert(holder.path.begin(), holder.path.end());
+      ASSERT_EQ(tree.bytes(), node_bytes * static_cast<std::int64_t>(alive.size()));
+      ASSERT_EQ(records_of(tree.path_to(one.node)), one.path);
+      const std::size_t back = rng.below(12);
+      std::vector<std::size_t> shorter = one.path;
+      shorter.resize(shorter.size() - std::min(back, shorter.size()));
+      ASSERT_EQ(records_of(tree.path_to(tree.ancestor(one.node, static_cast<int>(back)))), shorter);
+    }
+    for (const Holder& holder : holders) {
+      EXPECT_EQ(records_of(tree.path_to(holder.node)), holder.path);
+      tree.release(holder.node);
+    }
+    EXPECT_EQ(tree.bytes(), 0);
+  }
+}
+
+TEST(PathTree, SharesThePast) {
+  PathTree tree;
+  const PathTree::Node trunk = tree.append(PathTree::kRoot, pose_of(1));
+  const PathTree::Node left = tree.append(trunk, pose_of(2)), right = tree.append(trunk, pose_of(3));
+  EXPECT_EQ(tree.bytes(), 3 * bytes_of_one_node());
+  EXPECT_EQ(tree.ancestor(left, 1), tree.ancestor(right, 1));
+  EXPECT_EQ(tree.ancestor(left, 0), left);
+  EXPECT_EQ(tree.ancestor(left, 2), PathTree::kRoot);
+  EXPECT_EQ(tree.ancestor(left, 99), PathTree::kRoot);
+  tree.release(trunk);  // its children still hold it
+  EXPECT_EQ(tree.bytes(), 3 * bytes_of_one_node());
+  tree.release(left);
+  tree.release(right);
+  EXPECT_EQ(tree.bytes(), 0);
+}
+
+TEST(PathTree, KnowsTheEmptyPath) {
+  PathTree tree;
+  tree.hold(PathTree::kRoot);
+  tree.release(PathTree::kRoot);
+  EXPECT_TRUE(tree.path_to(PathTree::kRoot).empty());
+}
+
+TEST(PathTree, UsesDroppedNodesAgain) {
+  PathTree tree;
+  PathTree::Node leaf = PathTree::kRoot;
+  for (std::size_t i = 0; i < 1000; ++i) {
+    tree.release(leaf);
+    leaf = tree.append(PathTree::kRoot, pose_of(i));
+    ASSERT_LE(leaf, 1);
+  }
+}
+
+}  // namespace
+}  // namespace cogslam
