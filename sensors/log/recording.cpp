@@ -1,5 +1,7 @@
 #include "sensors/log/recording.hpp"
 
+#include <fstream>
+
 #include "core/hash.hpp"
 #include "sensors/log/reading_codec.hpp"
 #include "sensors/log/record_file.hpp"
@@ -24,6 +26,13 @@ void write_recording(const std::filesystem::path& file, const Recording& recordi
     out.add(kReading, bytes);
   }
   out.write(file);
+}
+
+bool is_recording(const std::filesystem::path& file) {
+  std::string begin(kFormat.magic.size(), '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return in && begin == kFormat.magic;
 }
 
 Recording read_recording(const std::filesystem::path& file) {

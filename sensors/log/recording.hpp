@@ -18,6 +18,9 @@ struct Recording {
 /// Writes the whole file or nothing.
 void write_recording(const std::filesystem::path& file, const Recording& recording);
 
+/// Whether the file begins as a recording does; false also where it cannot be read.
+bool is_recording(const std::filesystem::path& file);
+
 /// Throws InputError "file: byte N: ..." where the file is no recording, cut off, damaged or of another version.
 Recording read_recording(const std::filesystem::path& file);
 

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace cogslam {
+
+/// A subcommand: its options are known to the parser, `run` does it and returns an exit code.
+struct Command {
+  CLI::App* parser = nullptr;
+  std::function<int()> run;
+};
+
+// One file each.
+Command run_command(CLI::App& program);
+Command replay_command(CLI::App& program);
+Command validate_command(CLI::App& program);
+
+}  // namespace cogslam

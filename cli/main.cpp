@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/exit_codes.hpp"
+#include "cli/interrupt.hpp"
+#include "core/error.hpp"
+
+namespace cogslam {
+namespace {
+
+int complain(int code, const char* what) {
+  std::fflush(stdout);
+  fmt::print(stderr, "cogslam: {}\n", what);
+  return code;
+}
+
+int run_parsed(const std::vector<Command>& commands) {
+  for (const Command& command : commands) {
+    if (!command.parser->parsed()) continue;
+    const int code = command.run();
+    if (std::fflush(stdout) != 0) return complain(kRunFailed, "standard output cannot be written");
+    return code;
+  }
+  return kUsageError;
+}
+
+int main_program(int argc, char** argv) {
+  CLI::App program("FastSLAM with compressed occupancy grids: simulate, record, replay and score.", "cogslam");
+  program.require_subcommand(1);
+  program.footer(
+      "Exit codes: 0 ok, 1 gate failed, 2 usage or scenario error, 3 a run failed, 4 nothing measured, "
+      "130 interrupted.\nData go to standard output, messages to standard error.");
+  const std::vector<Command> commands{run_command(program), replay_command(program), validate_command(program)};
+  try {
+    program.parse(argc, argv);
+    watch_for_interrupts();
+    return run_parsed(commands);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? kOk : kUsageError;
+  } catch (const InputError& error) {
+    return complain(kUsageError, error.what());
+  } catch (const Interrupted&) {
+    return complain(kInterrupted, "interrupted, nothing written");
+  } catch (const std::exception& error) {
+    return complain(kRunFailed, error.what());
+  }
+}
+
+}  // namespace
+}  // namespace cogslam
+
+int main(int argc, char** argv) { return cogslam::main_program(argc, argv); }

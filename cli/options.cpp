@@ -1,0 +1,95 @@
+#include "cli/options.hpp"
+
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "eval/variant_run.hpp"
+
+namespace cogslam {
+namespace {
+
+std::size_t variants_in(const std::filesystem::path& file) {
+  return file.empty() ? 0 : ConfigSection::load(file).sections("variants").size();
+}
+
+/// Sets a figure of the filter for all variants, whatever each says of its own.
+void set_in_all(const std::string& key, const std::string& value, std::size_t variants, Overrides& overrides) {
+  overrides.emplace_back("slam." + key, value);
+  for (std::size_t i = 0; i < variants; ++i) overrides.emplace_back(fmt::format("variants.{}.slam.{}", i, key), value);
+}
+
+int all_cores() {
+  const unsigned cores = std::thread::hardware_concurrency();
+  return cores > 0 ? static_cast<int>(cores) : 1;
+}
+
+}  // namespace
+
+void add_setting_options(CLI::App& parser, Options& options) {
+  parser.add_option("--seed", options.seed, "seed of every random stream, in place of the file's");
+  parser
+      .add_option("--set", options.settings,
+                  "key=value: a value in place of the file's, as in --set slam.particles=30;"
+                  " may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_options(CLI::App& parser, Options& options) {
+  add_setting_options(parser, options);
+  options.threads = all_cores();
+  parser.add_option("-j,--threads", options.threads, "threads; the scores do not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  parser.add_option("--particles", options.particles, "particles of every variant")->check(CLI::Range(1, 1000000));
+  parser.add_option("--cell-size", options.cell_size, "run at this one cell size [m]")->check(CLI::Range(0.005, 100.0));
+  parser
+      .add_option("--store", options.store,
+                  "run only the variants that keep their maps so; where the file lists none, the store to use")
+      ->check(CLI::IsMember({"dense", "coefficients"}));
+  parser.add_option("--percent", options.percent_kept, "coefficients kept, of 100 per map cell")
+      ->check(CLI::Range(1e-6, 100.0));
+  parser.add_option("--out", options.out, "folder that the run's folder is put into")
+      ->type_name("DIR")
+      ->capture_default_str();
+  parser.add_flag("--no-files", options.no_files, "write no folder");
+  parser.add_flag("--save-readings", options.save_readings, "also save readings.bin and truth.bin, to replay them");
+  parser.add_flag("--json", options.json, "print one JSON object (as scores.json) in place of the table");
+  parser.add_flag("--quiet", options.quiet, "no progress and no notes");
+}
+
+Overrides overrides_of(const Options& options, const std::filesystem::path& file) {
+  Overrides overrides;
+  const std::size_t variants = variants_in(file);
+  if (options.seed) overrides.emplace_back("seed", std::to_string(*options.seed));
+  if (options.particles) set_in_all("particles", std::to_string(*options.particles), variants, overrides);
+  if (options.percent_kept) {
+    set_in_all("store.percent_kept", fmt::format("{}", *options.percent_kept), variants, overrides);
+  }
+  if (options.cell_size) overrides.emplace_back("slam.cell_sizes_m", fmt::format("[{}]", *options.cell_size));
+  if (options.store && variants == 0) overrides.emplace_back("slam.store.kind", *options.store);
+  for (const std::string& setting : options.settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw InputError("--set " + setting + ": expected key=value, as in --set slam.particles=30");
+    }
+    overrides.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+  }
+  return overrides;
+}
+
+std::vector<VariantConfig> chosen_variants(const Options& options, const std::vector<VariantConfig>& variants) {
+  std::vector<VariantConfig> chosen;
+  for (const VariantConfig& variant : variants) {
+    if (!options.store || store_name(variant.slam.store.kind) == *options.store) chosen.push_back(variant);
+  }
+  if (chosen.empty()) throw InputError("--store " + options.store.value_or("") + ": no variant has this store");
+  return chosen;
+}
+
+std::string choice_comment(const Options& options) {
+  return options.store ? "# run with --store " + *options.store + "\n" : "";
+}
+
+}  // namespace cogslam

@@ -1,0 +1,137 @@
+#include "eval/scenario.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "worlds/world_config.hpp"
+
+namespace cogslam {
+namespace {
+
+constexpr std::size_t kLongestName = 100;
+
+/// The area a map covers in a scenario: the world's bounds and a margin, since readings scatter beyond the walls.
+Rectangle map_area(const World& world, double margin) {
+  Rectangle area = world.bounds();
+  area.min.array() -= margin;
+  area.max.array() += margin;
+  return area;
+}
+
+/// A name that files can be called by.
+void read_name(ConfigSection& section, std::string& name) {
+  section.read("name", name);
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+  });
+  if (!plain || name.empty() || name.front() == '.' || name.size() > kLongestName) {
+    section.fail("name", "name: expected letters, digits, '_', '-' and '.', at most 100, found '" + name + "'");
+  }
+}
+
+std::vector<double> read_cell_sizes(ConfigSection& section, double usual) {
+  std::vector<double> sizes{usual};
+  section.read("cell_sizes_m", sizes, {0.005, 100.0});
+  if (sizes.empty()) section.fail("cell_sizes_m", "expected at least one cell size");
+  std::vector<double> sorted = sizes;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+    section.fail("cell_sizes_m", "a cell size stands there twice, expected each once");
+  }
+  return sizes;
+}
+
+void check_slam(const ConfigSection& section, const std::string& key, const SlamConfig& slam) {
+  try {
+    slam.check();
+  } catch (const InputError& error) {
+    section.fail(key, error.what());
+  }
+}
+
+VariantConfig read_variant(ConfigSection section, const SlamConfig& base) {
+  VariantConfig variant{.name = "variant", .slam = base};
+  read_name(section, variant.name);
+  section.read("true_poses", variant.true_poses);
+  ConfigSection slam = section.section("slam");
+  read_slam_config(slam, variant.slam);
+  check_slam(section, "slam", variant.slam);
+  return variant;
+}
+
+/// A room of 30 m beams: nothing in it is too far to be trusted.
+SlamConfig room_defaults() {
+  SlamConfig slam;
+  slam.sweep.carve_no_return = false;
+  return slam;
+}
+
+}  // namespace
+
+std::vector<VariantConfig> read_variants(ConfigSection& file, const SlamConfig& base) {
+  ConfigSection section = file.section("slam");
+  const std::vector<double> cell_sizes = read_cell_sizes(section, base.cell_size);
+  SlamConfig shared = base;
+  read_slam_config(section, shared);
+
+  std::vector<VariantConfig> kinds;
+  for (ConfigSection& variant : file.sections("variants")) {
+    VariantConfig kind = read_variant(variant, shared);
+    const auto same = [&kind](const VariantConfig& other) { return other.name == kind.name; };
+    if (std::any_of(kinds.begin(), kinds.end(), same)) {
+      variant.fail("name", "a second variant called '" + kind.name + "', expected a name of its own");
+    }
+    kinds.push_back(std::move(kind));
+  }
+  if (kinds.empty()) {
+    check_slam(section, "store", shared);
+    kinds.push_back({.name = "slam", .slam = shared});
+  }
+  std::vector<VariantConfig> variants;
+  for (const double cell_size : cell_sizes) {
+    for (VariantConfig variant : kinds) {
+      variant.slam.cell_size = cell_size;
+      variants.push_back(std::move(variant));
+    }
+  }
+  return variants;
+}
+
+Scenario read_scenario(ConfigSection file, const std::string& default_name) {
+  Scenario scenario{.name = default_name};
+  read_name(file, scenario.name);
+  file.read("seed", scenario.seed);
+  double duration_s = scenario.duration.seconds();
+  file.read("duration_s", duration_s, {0.1, 1e6});
+  scenario.duration = Duration::from_seconds(duration_s);
+  ConfigSection world = file.section("world"), robot = file.section("robot"), drive = file.section("drive");
+  scenario.world = read_world(world);
+  scenario.robot = read_robot_config(robot);
+  scenario.drive = read_drive_config(drive);
+  ConfigSection sensors = file.section("sensors");
+  scenario.sensors = read_sensor_suite_config(sensors);
+  ConfigSection camera = sensors.section("camera");
+  read(camera, scenario.camera);
+  scenario.sensors.camera_rate_hz = scenario.camera.enabled ? scenario.camera.rate : 0.0;
+  ConfigSection odometry = file.section("odometry");
+  read(odometry, scenario.odometry);
+
+  double margin = 0.3;
+  ConfigSection map = file.section("map");
+  map.read("margin_m", margin, {0.0, 100.0});
+  SlamConfig base = room_defaults();
+  base.start = scenario.world.start;
+  base.area = map_area(scenario.world, margin);
+  scenario.variants = read_variants(file, base);
+  file.finish();
+  scenario.resolved = file.resolved();
+  return scenario;
+}
+
+Scenario load_scenario(const std::filesystem::path& file, const Overrides& overrides) {
+  ConfigSection section = ConfigSection::load(file);
+  for (const auto& [path, text] : overrides) section.override_value(path, text);
+  return read_scenario(std::move(section), file.stem().string());
+}
+
+}  // namespace cogslam
