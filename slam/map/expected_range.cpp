@@ -30,19 +30,19 @@ Span span_in(Cell c, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
 
 ExpectedRange expected_range(const Grid<float>& log_odds, const Eigen::Vector2d& origin, const Eigen::Vector2d& end) {
   const GridFrame& frame = log_odds.frame();
-  const Eigen::Vector2d shift(frame.lattice_min.x, frame.lattice_min.y);
-  const Eigen::Vector2d from = origin / frame.cell_size - shift;
-  const Eigen::Vector2d to = (origin + 1.5 * (end - origin)) / frame.cell_size - shift;
+  const Eigen::Vector2d from = origin / frame.cell_size;
+  const Eigen::Vector2d to = (origin + 1.5 * (end - origin)) / frame.cell_size;
   const double length = 1.5 * (end - origin).norm();
 
   ExpectedRange result{.known = true, .enter = length, .leave = length};
-  walk_cells(from, to, [&](Cell c) {
+  walk_cells(from, to, [&](Cell lattice_cell) {
+    const Cell c{lattice_cell.x - frame.lattice_min.x, lattice_cell.y - frame.lattice_min.y};
     if (!frame.contains(c) || is_unknown(log_odds[c])) {
       result.known = false;
       return false;
     }
     if (log_odds[c] <= kOccupiedLogOdds) return true;
-    const Span span = span_in(c, from, to);
+    const Span span = span_in(lattice_cell, from, to);
     result.enter = span.enter * length;
     result.leave = span.leave * length;
     return false;

@@ -1,5 +1,6 @@
 #include "slam/weight/scan_likelihood.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/check.hpp"
