@@ -106,11 +106,14 @@ void FastSlam::propose_by_match(Particle& particle, Rng& rng, WorkerScratch& scr
   }
   load_around(predicted, particle, scratch.likelihood.margin_cells() + search_margin_cells(covariance), scratch);
   scratch.likelihood.look_at(scratch.map.log_odds);
-  const ScanMatch match =
-      match_scan([&](const Pose2& pose) { return scratch.likelihood.field_log_likelihood(probes_, pose); }, predicted,
-                 covariance, config_.matcher);
+  const double sharpness = config_.matcher.sharpness;
+  const ScanMatch match = match_scan(
+      [&](const Pose2& pose) { return sharpness * scratch.likelihood.field_log_likelihood(probes_, pose); }, predicted,
+      covariance, config_.matcher);
   particle.T_map_base = sample_pose(match.T_map_base, match.covariance, rng);
-  particle.log_weight += match.log_posterior + 0.5 * std::log(match.covariance.determinant() / covariance.determinant());
+  const double log_evidence =
+      match.log_posterior + 0.5 * std::log(match.covariance.determinant() / covariance.determinant());
+  particle.log_weight += log_evidence / sharpness;
   if (!scratch.loaded.contains(window_of(sweep_, particle.T_map_base, config_.cell_size))) {
     load_around(particle.T_map_base, particle, 0, scratch);  // a rare draw from far out
   }

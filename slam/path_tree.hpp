@@ -4,15 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/pose2.hpp"
+#include "slam/registered_pose.hpp"
 
 namespace cogslam {
-
-/// A pose that was registered: which record of the log it belongs to, and where the particle was.
-struct RegisteredPose {
-  std::size_t record = 0;  ///< counts readings from 0
-  Pose2 T_map_base{};
-};
 
 /// The paths of all particles: they share their past, so it is a tree that grows at its leaves. Branches without a
 /// living particle are dropped, and their nodes used again.

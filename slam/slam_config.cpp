@@ -53,6 +53,7 @@ void read_sweep(ConfigSection section, SweepConfig& sweep) {
 }
 
 void read_matcher(ConfigSection section, ScanMatcherConfig& matcher) {
+  section.read("sharpness", matcher.sharpness, {1e-3, 1e3});
   section.read("window_sigmas", matcher.window_sigmas, {0.0, 100.0});
   section.read("coarse_step_m", matcher.coarse_step, {1e-4, 10.0});
   section.read("finest_step_m", matcher.finest_step, {1e-6, 10.0});

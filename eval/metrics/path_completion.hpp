@@ -5,14 +5,9 @@
 #include <vector>
 
 #include "core/pose2.hpp"
+#include "slam/registered_pose.hpp"
 
 namespace cogslam {
-
-/// The pose that a filter gives for one record: a registered scan.
-struct RecordPose {
-  std::size_t record = 0;  ///< index into the records, in file order
-  Pose2 T_map_base{};
-};
 
 /// A pose for every record out of those of the registered ones. Between registered records k and k' the odometry is
 /// followed from k, and what is missing at k' is shared out by record index, never by time (stamps of real logs jump):
@@ -22,6 +17,6 @@ struct RecordPose {
 /// where w r scales x, y and the wrapped angle of r. Before the first and after the last registered record the
 /// odometry alone is followed. `odometry` holds O_i of every record; `registered` must be strictly increasing in
 /// `record`, and not empty unless there are no records.
-std::vector<Pose2> complete_path(std::span<const Pose2> odometry, std::span<const RecordPose> registered);
+std::vector<Pose2> complete_path(std::span<const Pose2> odometry, std::span<const RegisteredPose> registered);
 
 }  // namespace cogslam

@@ -18,7 +18,7 @@ namespace cogslam {
 struct OdometryNoise {
   double position_per_m = 0.03;           ///< standard deviation after 1 m [m]
   double position_per_rad = 0.01;         ///< after 1 rad [m]
-  double heading_per_m = radians(2.0);    ///< after 1 m [rad]
+  double heading_per_m = radians(4.0);    ///< after 1 m [rad]
   double heading_per_rad = radians(4.0);  ///< after 1 rad [rad]
   double position_floor_m = 0.0002;       ///< of any step, also at rest
   double heading_floor = radians(0.02);   ///< of any step, also at rest [rad]

@@ -10,7 +10,8 @@ namespace cogslam {
 namespace {
 
 constexpr double kLever = 4.0;  // metres: a turn is worth what it moves a point this far away
-constexpr int kClimbLimit = 60;
+constexpr int kClimbLimit = 20;
+constexpr double kStill = 1e-4;  // metres: a shorter step is an arrival
 
 /// The posterior over small motions away from the prediction.
 class Posterior {
@@ -60,33 +61,27 @@ Best search_coarse(Posterior& posterior, const Eigen::Matrix3d& covariance, cons
   return best;
 }
 
-/// One round of steps along each axis; false when none of them leads up.
-bool climb_once(Posterior& posterior, Best& best, double step) {
-  Best from = best;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double sign : {1.0, -1.0}) {
-      Eigen::Vector3d v = from.v;
-      v[axis] += sign * (axis == 2 ? step / kLever : step);
-      const double value = posterior(v);
-      if (value > best.value) best = {v, value};
-    }
-  }
-  return best.value > from.value;
-}
+/// The score about a point, to second order: by differences over a step wide enough to bridge the cells.
+struct Quadratic {
+  Eigen::Vector3d gradient;
+  Eigen::Matrix3d information;  ///< the negated curvature, made positive
+};
 
-/// Curvature of the score by central differences over a step wide enough to bridge the cells, made positive.
-Eigen::Matrix3d score_information(Posterior& posterior, const Eigen::Vector3d& mode, double step) {
+Quadratic fit_quadratic(Posterior& posterior, const Eigen::Vector3d& v, double step) {
   const Eigen::Vector3d h(step, step, step / kLever);
   const auto value = [&](int a, double da, int b, double db) {
-    Eigen::Vector3d v = mode;
-    v[a] += da * h[a];
-    v[b] += db * h[b];
-    return posterior.likelihood(v);
+    Eigen::Vector3d at = v;
+    at[a] += da * h[a];
+    at[b] += db * h[b];
+    return posterior.likelihood(at);
   };
-  const double centre = posterior.likelihood(mode);
+  const double centre = posterior.likelihood(v);
+  Quadratic fit;
   Eigen::Matrix3d curvature;
   for (int a = 0; a < 3; ++a) {
-    curvature(a, a) = (value(a, 1, a, 0) - 2.0 * centre + value(a, -1, a, 0)) / (h[a] * h[a]);
+    const double after = value(a, 1, a, 0), before = value(a, -1, a, 0);
+    fit.gradient[a] = (after - before) / (2.0 * h[a]);
+    curvature(a, a) = (after - 2.0 * centre + before) / (h[a] * h[a]);
     for (int b = 0; b < a; ++b) {
       curvature(a, b) = curvature(b, a) =
           (value(a, 1, b, 1) - value(a, 1, b, -1) - value(a, -1, b, 1) + value(a, -1, b, -1)) / (4.0 * h[a] * h[b]);
@@ -94,7 +89,25 @@ Eigen::Matrix3d score_information(Posterior& posterior, const Eigen::Vector3d& m
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(-curvature);
   const Eigen::Vector3d positive = solver.eigenvalues().cwiseMax(0.0);
-  return solver.eigenvectors() * positive.asDiagonal() * solver.eigenvectors().transpose();
+  fit.information = solver.eigenvectors() * positive.asDiagonal() * solver.eigenvectors().transpose();
+  return fit;
+}
+
+/// One Newton step uphill, shortened until it leads up; false when no share of it does. Newton, because shift and turn
+/// are tied together where all surfaces lie ahead: steps along single axes stop on that ridge, short of its top.
+bool climb_once(Posterior& posterior, Best& best, double step) {
+  const Quadratic fit = fit_quadratic(posterior, best.v, step);
+  const Eigen::Vector3d gradient = fit.gradient - posterior.information() * best.v;
+  const Eigen::Vector3d newton = (fit.information + posterior.information()).ldlt().solve(gradient);
+  for (double share = 1.0; share > 0.1; share /= 2.0) {
+    const Eigen::Vector3d v = best.v + share * newton;
+    const double value = posterior(v);
+    if (value > best.value) {
+      best = {v, value};
+      return share * newton.cwiseProduct(Eigen::Vector3d(1.0, 1.0, kLever)).norm() > kStill;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -109,7 +122,7 @@ ScanMatch match_scan(const PoseScore& score, const Pose2& predicted, const Eigen
     if (!climb_once(posterior, best, step)) step /= 2.0;
   }
   const Eigen::Matrix3d information =
-      posterior.information() + score_information(posterior, best.v, config.coarse_step / 2.0);
+      posterior.information() + fit_quadratic(posterior, best.v, config.coarse_step / 2.0).information;
   return {.T_map_base = posterior.pose(best.v),
           .log_posterior = best.value,
           .covariance = information.inverse(),

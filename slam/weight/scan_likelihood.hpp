@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/grid.hpp"
-#include "slam/match/likelihood_field.hpp"
+#include "slam/weight/likelihood_field.hpp"
 #include "slam/sweep.hpp"
 
 namespace cogslam {
@@ -16,7 +16,7 @@ enum class ScanModel {
 
 struct ScanLikelihoodConfig {
   ScanModel model = ScanModel::kLikelihoodField;
-  int beams = 120;              ///< returns looked at per scan, evenly spread
+  int beams = 180;              ///< returns looked at per scan, evenly spread
   double effective_beams = 20;  ///< a scan counts as so many independent beams: neighbours see the same wall
   double hit_share = 0.9;       ///< of returns that come from a mapped surface; the rest may end anywhere
   double unknown_value = 0.3;   ///< of an end point in an unknown cell, against 1 on a mapped surface

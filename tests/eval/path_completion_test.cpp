@@ -25,7 +25,7 @@ void expect_near(const Pose2& a, const Pose2& b, double tolerance) {
 
 TEST(PathCompletion, SharesOutWhatIsMissingByRecordIndex) {
   const std::vector<Pose2> odometry{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}};
-  const std::vector<RecordPose> registered{{0, {0, 0, 0}}, {4, {4, 0.8, 0}}};
+  const std::vector<RegisteredPose> registered{{0, {0, 0, 0}}, {4, {4, 0.8, 0}}};
   const auto path = complete_path(odometry, registered);
   for (int i = 0; i <= 4; ++i) expect_near(path[static_cast<std::size_t>(i)], {1.0 * i, 0.2 * i, 0}, 1e-12);
   expect_near(path[5], {5, 0.8, 0}, 1e-12);  // after the last: odometry alone
@@ -33,7 +33,7 @@ TEST(PathCompletion, SharesOutWhatIsMissingByRecordIndex) {
 
 TEST(PathCompletion, FollowsOdometryBeforeTheFirstRegisteredRecord) {
   const std::vector<Pose2> odometry{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-  const std::vector<RecordPose> registered{{1, {5, 5, radians(90)}}};
+  const std::vector<RegisteredPose> registered{{1, {5, 5, radians(90)}}};
   const auto path = complete_path(odometry, registered);
   expect_near(path[0], {5, 4, radians(90)}, 1e-12);
   EXPECT_EQ(path[1], (Pose2{5, 5, radians(90)}));
@@ -42,16 +42,16 @@ TEST(PathCompletion, FollowsOdometryBeforeTheFirstRegisteredRecord) {
 
 TEST(PathCompletion, KeepsRegisteredPosesExactly) {
   const auto odometry = drive(1, 40), other = drive(2, 40);
-  std::vector<RecordPose> registered;
+  std::vector<RegisteredPose> registered;
   for (std::size_t i = 3; i < 40; i += 4) registered.push_back({i, other[i]});
   const auto path = complete_path(odometry, registered);
-  for (const RecordPose& r : registered) EXPECT_EQ(path[r.record], r.T_map_base);
+  for (const RegisteredPose& r : registered) EXPECT_EQ(path[r.record], r.T_map_base);
 }
 
 TEST(PathCompletion, GivesTheTruthWhereOdometryIsRightUpToItsStart) {
   const auto odometry = drive(3, 50);
   const Pose2 T_map_odom{4, -2, 1};
-  std::vector<RecordPose> registered;
+  std::vector<RegisteredPose> registered;
   for (std::size_t i = 0; i < 50; i += 7) registered.push_back({i, T_map_odom * odometry[i]});
   const auto path = complete_path(odometry, registered);
   for (std::size_t i = 0; i < 50; ++i) expect_near(path[i], T_map_odom * odometry[i], 1e-9);
@@ -59,7 +59,7 @@ TEST(PathCompletion, GivesTheTruthWhereOdometryIsRightUpToItsStart) {
 
 TEST(PathCompletion, RejectsUnorderedOrMissingRecords) {
   const auto odometry = drive(4, 5);
-  const std::vector<RecordPose> none, twice{{1, {}}, {1, {}}}, beyond{{5, {}}};
+  const std::vector<RegisteredPose> none, twice{{1, {}}, {1, {}}}, beyond{{5, {}}};
   EXPECT_THROW((void)complete_path(odometry, none), ContractViolation);
   EXPECT_THROW((void)complete_path(odometry, twice), ContractViolation);
   EXPECT_THROW((void)complete_path(odometry, beyond), ContractViolation);

@@ -34,10 +34,10 @@ Records read_records(const fs::path& file) {
 }
 
 /// Every fifth record whose stamp is its own, its odometry bent by some smooth error.
-std::vector<RecordPose> bent_path(const Records& records) {
+std::vector<RegisteredPose> bent_path(const Records& records) {
   std::map<Time, int> uses;
   for (const Time stamp : records.stamps) ++uses[stamp];
-  std::vector<RecordPose> path;
+  std::vector<RegisteredPose> path;
   for (std::size_t i = 3; i < records.stamps.size(); i += 5) {
     if (uses[records.stamps[i]] > 1) continue;
     const double t = 0.01 * static_cast<double>(i);
@@ -131,9 +131,9 @@ class RelationsScript : public testing::TestWithParam<RealLog> {
     return relation_errors(relations_, records_.stamps, records_.odometry, path);
   }
   /// What the script prints for these poses, to the last bit of each number.
-  [[nodiscard]] ExpectedErrors run_script(const std::string& interpreter, const std::vector<RecordPose>& poses) const {
+  [[nodiscard]] ExpectedErrors run_script(const std::string& interpreter, const std::vector<RegisteredPose>& poses) const {
     std::string text;
-    for (const RecordPose& p : poses) {
+    for (const RegisteredPose& p : poses) {
       const Pose2& T = p.T_map_base;
       for (const double value : {records_.stamps[p.record].seconds(), T.x, T.y, T.theta})
         text += number_text(value) + ' ';

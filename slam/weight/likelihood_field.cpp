@@ -1,4 +1,4 @@
-#include "slam/match/likelihood_field.hpp"
+#include "slam/weight/likelihood_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,8 @@ LikelihoodField::LikelihoodField(const LikelihoodFieldConfig& config, double cel
   EXPECTS(config.sigma > 0.0 && config.finest_sample > 0.0 && cell_size > 0.0);
   const int side = samples_ + 2 * reach_;
   const double step = cell_size / samples_;
-  const auto outside = [&](int k) {  // distance of a sample from the cell along one axis
-    const double position = (k - reach_ + 0.5) * step;
-    return std::max({0.0, -position, position - cell_size});
+  const auto outside = [&](int k) {  // distance of a sample from those of the cell along one axis
+    return step * std::max({0, reach_ - k, k - (reach_ + samples_ - 1)});
   };
   for (int row = 0; row < side; ++row) {
     for (int column = 0; column < side; ++column) {

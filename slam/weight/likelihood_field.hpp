@@ -11,15 +11,16 @@ namespace cogslam {
 /// How likely a beam ends near here, given the map: exp(-d^2 / 2 sigma^2), d the distance to the nearest occupied cell,
 /// cut off at 3 sigma (likelihood field, Thrun et al. 2006, sec. 6.4).
 struct LikelihoodFieldConfig {
-  double sigma = 0.05;          ///< spread of an end point around its surface [m]
+  double sigma = 0.08;          ///< spread of an end point around its surface [m]
   double finest_sample = 0.05;  ///< cells larger than this are sampled several times [m]
 };
 
 /// The field over a window of the map, bilinear between samples.
 ///
-/// d is measured to the *square* of the occupied cell, not to its centre: a surface may stand anywhere in its cell, so
-/// every end point inside is equally likely, and a coarse grid does not drag poses towards cell centres. Cells larger
-/// than `finest_sample` are sampled k x k times to keep that shape.
+/// Cells larger than `finest_sample` are sampled k x k times, and d is measured to the nearest sample of an occupied
+/// cell: a surface may stand anywhere in a large cell, so every end point inside is equally likely, and a coarse grid
+/// does not drag poses towards cell centres. A fine cell has one sample, its centre, and the field a sharp ridge: on it
+/// a flat one lets headings drift with the odometry (measured on the Intel log: walls thicken along the drift).
 class LikelihoodField {
  public:
   LikelihoodField(const LikelihoodFieldConfig& config, double cell_size);
