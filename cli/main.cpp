@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/interrupt.hpp"
+#include "core/config.hpp"
 #include "core/error.hpp"
 
 namespace cogslam {
@@ -27,6 +30,18 @@ int run_parsed(const std::vector<Command>& commands) {
   return kUsageError;
 }
 
+/// The parser would only say that a subcommand is required.
+void reject_unknown_command(const std::vector<Command>& commands, const std::string& word) {
+  if (word.starts_with('-')) return;
+  std::vector<std::string> names;
+  for (const Command& command : commands) names.push_back(command.parser->get_name());
+  if (std::find(names.begin(), names.end(), word) != names.end()) return;
+  const std::string near = nearest_name(word, names);
+  throw InputError("unknown command '" + word + "'" +
+                   (near.empty() ? ", expected one of " + fmt::format("{}", fmt::join(names, ", "))
+                                 : "; did you mean '" + near + "'?"));
+}
+
 int main_program(int argc, char** argv) {
   CLI::App program("FastSLAM with compressed occupancy grids: simulate, record, replay and score.", "cogslam");
   program.require_subcommand(1);
@@ -35,6 +50,7 @@ int main_program(int argc, char** argv) {
       "130 interrupted.\nData go to standard output, messages to standard error.");
   const std::vector<Command> commands{run_command(program), replay_command(program), validate_command(program)};
   try {
+    if (argc > 1) reject_unknown_command(commands, argv[1]);
     program.parse(argc, argv);
     watch_for_interrupts();
     return run_parsed(commands);

@@ -116,9 +116,11 @@ TEST(RunFolder, LeavesNothingWhereItIsStopped) {
 TEST(NewFolder, ReplacesAFolderThatIsThere) {
   const TemporaryFolder parent;
   for (const char* text : {"one", "two"}) {
-    NewFolder folder(parent.path() / "run");
-    std::ofstream(folder.path() / text) << text;
-    folder.move_to_target();
+    {
+      NewFolder folder(parent.path() / "run");
+      std::ofstream(folder.path() / text) << text;
+      folder.move_to_target();
+    }
     EXPECT_EQ(names_in(parent.path()), std::set<std::string>{"run"});
     EXPECT_EQ(names_in(parent.path() / "run"), std::set<std::string>{text});
   }
