@@ -203,6 +203,40 @@ TEST(FastSlam, LetsLogOddsGrowWithoutTheClamp) {
   EXPECT_LT(least(unclamped), config.log_odds.min);
 }
 
+/// The best particle of the first weighing has at least the mean weight, so it draws a slot: resampling must not change
+/// what is reported.
+TEST(FastSlam, ReportsTheSameBestParticleAfterResampling) {
+  const SyntheticLog log = drive_round(10, 14, 60);
+  SlamConfig config = config_for(log);
+  config.proposal = Proposal::kMotion;  // spreads particles and weights
+  for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+    config.resampling = {.effective_share = 1e-6, .every_step = false};
+    const Outcome never = run(config, log, seed);
+    config.resampling.every_step = true;
+    const Outcome always = run(config, log, seed);
+    std::size_t second = 1;
+    while (!never.registered[second]) ++second;
+    EXPECT_EQ(always.online[second], never.online[second]) << "seed " << seed;
+  }
+}
+
+/// Scans that say nothing leave the maps empty; what grows then is the path tree, of which branches without a living
+/// particle must be dropped.
+TEST(FastSlam, DropsPathsThatNoParticleFollows) {
+  SyntheticLog log = drive_round(80, 15, 4);
+  for (Reading& reading : log.readings) reading.scan->ranges.assign(4, Scan::kInvalid);
+  SlamConfig config = config_for(log, 20);
+  config.proposal = Proposal::kMotion;
+  config.compass.noise = 0.005;  // chooses hard
+  config.resampling.every_step = true;
+  const FilterStatistics statistics = run(config, log).statistics;
+  ASSERT_GT(statistics.registered, 30);
+  const double growth = 20.0 * (statistics.bytes_peak - static_cast<double>(sizeof(Particle)));
+  const double all_poses = 20.0 * static_cast<double>(statistics.registered) * sizeof(RegisteredPose);
+  EXPECT_LT(growth, all_poses / 5.0);  // an eighth here; a third where inner branches stay
+  EXPECT_EQ(statistics.payload_bytes, 0.0);
+}
+
 TEST(FastSlam, SharesMapsBetweenParticles) {
   const SyntheticLog log = drive_round(30, 11, 60);
   const FilterStatistics statistics = run(config_for(log), log).statistics;
