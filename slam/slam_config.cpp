@@ -1,5 +1,7 @@
 #include "slam/slam_config.hpp"
 
+#include "core/number_text.hpp"
+
 namespace cogslam {
 namespace {
 
@@ -15,7 +17,8 @@ void read_log_odds(ConfigSection section, LogOddsModel& model) {
   section.read("clamped", model.clamped);
   section.read("min", min, {-1000.0, 0.0});
   section.read("max", max, {0.0, 1000.0});
-  section.read_choice("rule", model.rule, {{"hit_beats_miss", CellRule::kHitBeatsMiss}, {"last_beam", CellRule::kLastBeam}});
+  section.read_choice("rule", model.rule,
+                      {{"hit_beats_miss", CellRule::kHitBeatsMiss}, {"last_beam", CellRule::kLastBeam}});
   model.hit = static_cast<float>(hit);
   model.free = static_cast<float>(free);
   model.min = static_cast<float>(min);
@@ -73,6 +76,13 @@ void SlamConfig::check() const {
   }
   if (log_odds.clamped && (log_odds.min >= 0.0F || log_odds.max <= 0.0F)) {
     throw InputError("log_odds: min must be below 0 and max above 0");
+  }
+  if (log_odds.clamped && log_odds.max <= kOccupiedLogOdds) {
+    throw InputError("log_odds: max must be above " + number_text(kOccupiedLogOdds) +
+                     ", or no cell ever counts as an obstacle");
+  }
+  if (2.0 * matcher.finest_step > matcher.coarse_step) {
+    throw InputError("matcher: finest_step_m must be at most half of coarse_step_m, or the climb never begins");
   }
 }
 

@@ -16,8 +16,9 @@ log_odds: {hit: 0.7, free: -0.3, clamped: false, min: -4, max: 5, rule: last_bea
 sweep: {max_hit_range_m: 20, max_free_range_m: 9, carve_no_return: true}
 motion: {inflation: 2.25, least_sigma_m: 0.004, least_sigma_deg: 0.25}
 registration: {distance_m: 0.3, turn_deg: 10}
-likelihood: {model: beam, beams: 55, effective_beams: 7, hit_share: 0.8, unknown_value: 0.2, range_sigma_m: 0.07}
-matcher: {window_sigmas: 3, coarse_step_m: 0.04}
+likelihood: {model: beam, beams: 55, effective_beams: 7, hit_share: 0.8, unknown_value: 0.2, range_sigma_m: 0.07, field_sigma_m: 0.06,
+             field_sample_m: 0.025}
+matcher: {window_sigmas: 3, coarse_step_m: 0.04, finest_step_m: 0.002, coarse_steps_max: 5}
 compass: {used: false, noise_deg: 4, bias_sigma_deg: 5}
 resampling: {effective_share: 0.7, every_step: true}
 )";
@@ -62,8 +63,12 @@ TEST(SlamConfig, ReadsEveryKey) {
   EXPECT_EQ(config.likelihood.hit_share, 0.8);
   EXPECT_EQ(config.likelihood.unknown_value, 0.2);
   EXPECT_EQ(config.likelihood.range_sigma, 0.07);
+  EXPECT_EQ(config.likelihood.field.sigma, 0.06);
+  EXPECT_EQ(config.likelihood.field.finest_sample, 0.025);
   EXPECT_EQ(config.matcher.window_sigmas, 3.0);
   EXPECT_EQ(config.matcher.coarse_step, 0.04);
+  EXPECT_EQ(config.matcher.finest_step, 0.002);
+  EXPECT_EQ(config.matcher.coarse_steps_max, 5);
   EXPECT_FALSE(config.compass.used);
   EXPECT_NEAR(config.compass.noise, 4.0 * kDegree, 1e-15);
   EXPECT_NEAR(config.compass.bias_sigma, 5.0 * kDegree, 1e-15);
@@ -106,8 +111,21 @@ TEST(SlamConfig, RefusesPartsThatContradictEachOther) {
   EXPECT_EQ(error_text([&] { config.check(); }), "no error");
   config.log_odds.min = 0.0F;
   EXPECT_EQ(error_text([&] { config.check(); }), "log_odds: min must be below 0 and max above 0");
+  config.log_odds.min = -2.0F;
+  config.log_odds.max = 0.5F;
+  EXPECT_EQ(error_text([&] { config.check(); }),
+            "log_odds: max must be above 0.5, or no cell ever counts as an obstacle");
   config.log_odds.clamped = false;  // then the limits say nothing
   EXPECT_EQ(error_text([&] { config.check(); }), "no error");
+}
+
+TEST(SlamConfig, RefusesASearchThatIsTooCoarseForItsClimb) {
+  SlamConfig config;
+  config.matcher.finest_step = config.matcher.coarse_step / 2.0;
+  EXPECT_EQ(error_text([&] { config.check(); }), "no error");
+  config.matcher.finest_step *= 1.01;
+  EXPECT_EQ(error_text([&] { config.check(); }),
+            "matcher: finest_step_m must be at most half of coarse_step_m, or the climb never begins");
 }
 
 TEST(SlamConfig, CoversItsAreaWithLatticeCells) {
