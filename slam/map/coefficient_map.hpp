@@ -21,9 +21,9 @@ struct CoefficientScratch {
   CoefficientCode code;
 };
 
-/// The compressed map of FastSLAM COG: the largest Haar coefficients of the whole grid. Every load reconstructs the grid
-/// (Alg. 8), every commit transforms and selects anew (eqs. 20, 22; Alg. 7), so truncation errors add up over time,
-/// as in the paper. Copies share one code until they commit.
+/// The compressed map of FastSLAM COG: the largest Haar coefficients of the whole grid. Every load reconstructs the
+/// grid (Alg. 8), every commit transforms and selects anew (eqs. 20, 22; Alg. 7), so truncation errors add up over
+/// time, as in the paper. Copies share one code until they commit.
 class CoefficientMap {
  public:
   /// An empty (unknown) map of `area`, of whose n cells `percent` in (0, 100] coefficients are kept:
@@ -32,7 +32,8 @@ class CoefficientMap {
 
   /// Fills `scratch_grid` with the whole area: c = H_r y, m = Phi c (eq. 14).
   void load(Grid<float>& scratch_grid, CoefficientScratch& scratch) const;
-  /// y = H Phi^T m (eq. 22, whose bracket is Phi^T of the updated grid) of a grid that covers the area.
+  /// y = H Phi^T m of a grid m that covers the area: eq. (22), whose bracket is Phi^T of the updated grid. What an
+  /// earlier selection let leak into the padding of the canvas is not in m, and so is dropped.
   void commit(const Grid<float>& scratch_grid, CoefficientScratch& scratch);
 
   [[nodiscard]] CellWindow extent() const { return window_of(area_); }
