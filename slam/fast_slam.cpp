@@ -95,7 +95,8 @@ void FastSlam::propose_by_motion(Particle& particle, Rng& rng, WorkerScratch& sc
 }
 
 // Grisetti et al. 2007, sec. IV: the proposal uses the scan too, so few particles are wasted. The weight is then
-// p(z | x', u) = integral of p(z | x) p(x | x', u) dx, here by Laplace's method about the mode.
+// p(z | x', u) = integral of p(z | x) p(x | x', u) dx, here by Laplace's method about the mode, and tempered as a whole:
+// a scan is sharper evidence of where it lies in its map than of which of two maps is right.
 void FastSlam::propose_by_match(Particle& particle, Rng& rng, WorkerScratch& scratch) const {
   const Pose2 predicted = particle.T_map_base * motion_.T_last_now();
   const Eigen::Matrix3d covariance = motion_.covariance();
@@ -206,7 +207,8 @@ std::uint64_t FastSlam::state_hash() const {
   Hash hash;
   for (const Particle& particle : particles_) {
     hash.add(particle.T_map_base.x).add(particle.T_map_base.y).add(particle.T_map_base.theta);
-    hash.add(particle.log_weight).add(particle.path_log_weight).add(particle.compass_bias.mean);
+    hash.add(particle.log_weight).add(particle.path_log_weight);
+    hash.add(particle.compass_bias.mean).add(particle.compass_bias.variance);
     particle.map.add_to(hash);
   }
   return hash.value();

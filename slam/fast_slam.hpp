@@ -32,7 +32,7 @@ class FastSlam {
   /// The best particle's map: log-odds over the stated area, or over all it has seen.
   [[nodiscard]] Grid<float> best_map() const;
   [[nodiscard]] FilterStatistics statistics() const;
-  /// Names the whole state (poses, weights, maps), to compare runs.
+  /// Names the belief (poses, weights, compass biases, maps), to compare runs.
   [[nodiscard]] std::uint64_t state_hash() const;
 
  private:

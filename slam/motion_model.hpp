@@ -11,8 +11,8 @@ namespace cogslam {
 /// What odometry's covariance leaves out.
 struct MotionModelConfig {
   double inflation = 1.5;             ///< odometry's standard deviations times this
-  double least_sigma_position = 0.002;  ///< per registered step [m]: keeps particles apart when odometry is too sure
-  double least_sigma_heading = 0.002;   ///< [rad]
+  double least_sigma_position = 0.01;  ///< per registered step [m]: what odometry is wrong by in every step alike
+  double least_sigma_heading = 0.005;  ///< [rad]
 };
 
 /// p(x_k | x_k-1, u_k) of eq. (4): the motion told since the last registered scan, and Gaussian noise after it.

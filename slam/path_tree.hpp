@@ -24,8 +24,12 @@ class PathTree {
   [[nodiscard]] std::vector<RegisteredPose> path_to(Node node) const;
   /// The node `steps` poses before, or kRoot where the path is shorter.
   [[nodiscard]] Node ancestor(Node node, int steps) const;
-  /// Bytes of the living nodes.
-  [[nodiscard]] std::int64_t bytes() const { return static_cast<std::int64_t>(alive_ * sizeof(Entry)); }
+  /// Bytes held, nodes to be used again and spare room included.
+  [[nodiscard]] std::int64_t bytes() const {
+    return static_cast<std::int64_t>(entries_.capacity() * sizeof(Entry) + free_.capacity() * sizeof(Node));
+  }
+  /// Nodes of living paths.
+  [[nodiscard]] std::size_t alive() const { return alive_; }
 
  private:
   struct Entry {

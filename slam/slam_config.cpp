@@ -1,5 +1,7 @@
 #include "slam/slam_config.hpp"
 
+#include "core/check.hpp"
+
 #include "core/number_text.hpp"
 
 namespace cogslam {
@@ -50,6 +52,7 @@ void read_motion(ConfigSection section, MotionModelConfig& motion) {
 }
 
 void read_sweep(ConfigSection section, SweepConfig& sweep) {
+  section.read("beams", sweep.beams, {1, 1e6});
   section.read("max_hit_range_m", sweep.max_hit_range, kPositive);
   section.read("max_free_range_m", sweep.max_free_range, kPositive);
   section.read("carve_no_return", sweep.carve_no_return);
@@ -71,6 +74,7 @@ std::optional<GridFrame> SlamConfig::map_frame() const {
 }
 
 void SlamConfig::check() const {
+  EXPECTS(particles > 0 && cell_size > 0.0);
   if (store.kind == StoreKind::kCoefficients && !area) {
     throw InputError("store 'coefficients' transforms the whole map: it needs a stated map area");
   }

@@ -25,8 +25,10 @@ std::vector<Beam> sweep_of(const Reading& reading, const SweepConfig& config) {
   std::vector<Beam> beams;
   if (!reading.scan) return beams;
   const Scan& scan = *reading.scan;
-  beams.reserve(scan.ranges.size());
-  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+  const std::size_t all = scan.ranges.size(), used = std::min(all, static_cast<std::size_t>(config.beams));
+  beams.reserve(used);
+  for (std::size_t k = 0; k < used; ++k) {
+    const std::size_t i = (2 * k + 1) * all / (2 * used);
     Beam beam;
     if (!interpret(scan.ranges[i], scan, config, beam)) continue;
     const double since_stamp = static_cast<double>(i) * scan.time_increment.seconds();

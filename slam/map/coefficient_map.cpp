@@ -1,8 +1,15 @@
 #include "slam/map/coefficient_map.hpp"
 
+#include <cmath>
+
 #include "core/check.hpp"
 
 namespace cogslam {
+namespace {
+
+constexpr float kRounding = 1e-5F;  // log-odds; a hundred round trips of float stay below it
+
+}  // namespace
 
 CoefficientMap::Stored::Stored(std::shared_ptr<MemoryMeter> meter, const CoefficientCode& given)
     : counted(std::move(meter), static_cast<std::int64_t>(given.size() * (sizeof(std::uint32_t) + sizeof(float))),
@@ -32,6 +39,8 @@ void CoefficientMap::commit(const Grid<float>& scratch_grid, CoefficientScratch&
   scratch.coefficients.resize(canvas_.size());
   scratch.transform.resize(canvas_.scratch_size());
   haar_forward(canvas_, scratch_grid.values(), scratch.coefficients, scratch.transform);
+  // What a round trip leaves in place of an exact zero is rounding, not map: it would take the place of data.
+  for (float& c : scratch.coefficients) c = std::abs(c) < kRounding ? 0.0F : c;
   select_top_m(scratch.coefficients, kept_, scratch.code, scratch.selection);
   code_ = std::make_shared<Stored>(meter_, scratch.code);
 }

@@ -19,7 +19,7 @@ struct ScanMatcherConfig {
 struct ScanMatch {
   Pose2 T_map_base{};                  ///< the mode
   double log_posterior = 0.0;          ///< log p(z | x) + log p(x | u) there, up to the constant of p(x | u)
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the small motion after the mode [m, m, rad]
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the small motion about it [m, m, rad]
   bool converged = false;              ///< false: the climb stopped at its limit of steps
   int evaluations = 0;
 };

@@ -8,8 +8,8 @@
 
 namespace cogslam {
 
-/// How likely a beam ends near here, given the map: exp(-d^2 / 2 sigma^2), d the distance to the nearest occupied cell,
-/// cut off at 3 sigma (likelihood field, Thrun et al. 2006, sec. 6.4).
+/// How likely a beam ends near here, given the map: exp(-d^2 / 2 sigma^2), d the distance to the nearest sample of
+/// an occupied cell, cut off at 3 sigma (likelihood field, Thrun et al. 2006, sec. 6.4).
 struct LikelihoodFieldConfig {
   double sigma = 0.08;          ///< spread of an end point around its surface [m]
   double finest_sample = 0.05;  ///< cells larger than this are sampled several times [m]
@@ -28,11 +28,11 @@ class LikelihoodField {
   /// Draws the field of a map. Keeps its memory from call to call.
   void draw(const Grid<float>& log_odds);
 
-  /// Value in [0, 1] at a point of the map [m]; 0 outside the window.
+  /// Value in [0, 1] at a point of the map [m]; 0 outside the outermost samples.
   [[nodiscard]] float at(double x, double y) const {
     const double u = x * per_metre_ - left_, v = y * per_metre_ - bottom_;  // samples are half a step inside
+    if (!(u >= 0.0 && v >= 0.0 && u < width_ - 1 && v < height_ - 1)) return 0.0F;
     const int i = static_cast<int>(u), j = static_cast<int>(v);
-    if (!(u >= 0.0 && v >= 0.0) || i >= width_ - 1 || j >= height_ - 1) return 0.0F;
     const float fx = static_cast<float>(u - i), fy = static_cast<float>(v - j);
     const float* p = values_.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(width_) + i;
     const float low = p[0] + fx * (p[1] - p[0]), high = p[width_] + fx * (p[width_ + 1] - p[width_]);

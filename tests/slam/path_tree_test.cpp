@@ -20,12 +20,6 @@ std::vector<std::size_t> records_of(const std::vector<RegisteredPose>& path) {
 
 RegisteredPose pose_of(std::size_t record) { return {record, {static_cast<double>(record), 0.0, 0.0}}; }
 
-std::int64_t bytes_of_one_node() {
-  PathTree tree;
-  tree.append(PathTree::kRoot, pose_of(0));
-  return tree.bytes();
-}
-
 /// A holder of a node, and its whole path written out: the slow twin.
 struct Holder {
   PathTree::Node node = PathTree::kRoot;
@@ -33,7 +27,6 @@ struct Holder {
 };
 
 TEST(PathTree, EqualsFullCopiesOfThePathsOverRandomUse) {
-  const std::int64_t node_bytes = bytes_of_one_node();
   for (std::uint32_t round = 0; round < 20; ++round) {
     Rng rng({.seed = 44, .purpose = Purpose::kWorld, .entity = round});
     PathTree tree;
@@ -63,7 +56,7 @@ TEST(PathTree, EqualsFullCopiesOfThePathsOverRandomUse) {
       }
       std::set<std::size_t> alive;
       for (const Holder& holder : holders) alive.insert(holder.path.begin(), holder.path.end());
-      ASSERT_EQ(tree.bytes(), node_bytes * static_cast<std::int64_t>(alive.size()));
+      ASSERT_EQ(tree.alive(), alive.size());
       ASSERT_EQ(records_of(tree.path_to(one.node)), one.path);
       const std::size_t back = rng.below(12);
       std::vector<std::size_t> shorter = one.path;
@@ -74,7 +67,7 @@ TEST(PathTree, EqualsFullCopiesOfThePathsOverRandomUse) {
       EXPECT_EQ(records_of(tree.path_to(holder.node)), holder.path);
       tree.release(holder.node);
     }
-    EXPECT_EQ(tree.bytes(), 0);
+    EXPECT_EQ(tree.alive(), 0);
   }
 }
 
@@ -82,16 +75,16 @@ TEST(PathTree, SharesThePast) {
   PathTree tree;
   const PathTree::Node trunk = tree.append(PathTree::kRoot, pose_of(1));
   const PathTree::Node left = tree.append(trunk, pose_of(2)), right = tree.append(trunk, pose_of(3));
-  EXPECT_EQ(tree.bytes(), 3 * bytes_of_one_node());
+  EXPECT_EQ(tree.alive(), 3);
   EXPECT_EQ(tree.ancestor(left, 1), tree.ancestor(right, 1));
   EXPECT_EQ(tree.ancestor(left, 0), left);
   EXPECT_EQ(tree.ancestor(left, 2), PathTree::kRoot);
   EXPECT_EQ(tree.ancestor(left, 99), PathTree::kRoot);
   tree.release(trunk);  // its children still hold it
-  EXPECT_EQ(tree.bytes(), 3 * bytes_of_one_node());
+  EXPECT_EQ(tree.alive(), 3);
   tree.release(left);
   tree.release(right);
-  EXPECT_EQ(tree.bytes(), 0);
+  EXPECT_EQ(tree.alive(), 0);
 }
 
 TEST(PathTree, KnowsTheEmptyPath) {
