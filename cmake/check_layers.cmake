@@ -23,7 +23,6 @@ set(HOMES
   "nlohmann/@^eval/"
   "png\\.h@^eval/"
   "CLI/@^cli/"
-  "spdlog/@^cli/"
   "fmt/@^(eval|cli)/")
 
 set(bad "")

@@ -1,4 +1,4 @@
-# Debian 12 packages, each with one home (docs/design.md). Everything here is found, nothing is fetched.
+# Debian 12 packages, each with one home (docs/architecture.md). Everything here is found, nothing is fetched.
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(yaml-cpp REQUIRED)                # core/config
@@ -10,7 +10,6 @@ find_package(Ceres REQUIRED)                   # slam/odometry, slam/match
 find_package(PNG REQUIRED)                     # eval/report
 find_package(nlohmann_json REQUIRED)           # eval
 find_package(fmt REQUIRED)                     # eval, cli
-find_package(spdlog REQUIRED)                  # cli
 find_package(CLI11 REQUIRED)                   # cli
 if(COGSLAM_TESTS)
   find_package(GTest REQUIRED)
