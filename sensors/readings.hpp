@@ -16,9 +16,9 @@ namespace cogslam {
 
 /// A sweep of range readings, beam 0 first, counter-clockwise. Seen from the lidar: x forward, y left.
 struct Scan {
-  static constexpr float kNoReturn = std::numeric_limits<float>::infinity();    ///< nothing within range (REP-117)
-  static constexpr float kTooClose = -std::numeric_limits<float>::infinity();   ///< something nearer than range_min
-  static constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();    ///< the beam says nothing at all
+  static constexpr float kNoReturn = std::numeric_limits<float>::infinity();   ///< nothing within range (REP-117)
+  static constexpr float kTooClose = -std::numeric_limits<float>::infinity();  ///< something nearer than range_min
+  static constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();   ///< the beam says nothing at all
 
   double angle_first = 0.0;      ///< direction of beam 0 [rad]
   double angle_increment = 0.0;  ///< from one beam to the next [rad]
@@ -40,19 +40,20 @@ enum class MotionSource : std::uint8_t {
 
 /// Motion of the base since the reading before, and how far it is to be trusted.
 struct MotionIncrement {
-  Pose2 T_before_now{};                                      ///< pose of the base now, seen from the reading before
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();      ///< of the small motion that follows it [m, m, rad]
+  Pose2 T_before_now{};                                  ///< pose of the base now, seen from the reading before
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the small motion that follows it [m, m, rad]
   MotionSource source = MotionSource::kVisual;
 };
 
 /// One step's evidence. `sequence` is the order; the stamp is a label (stamps of real logs jump backwards).
 struct Reading {
   std::uint64_t sequence = 0;
-  Time stamp{};                    ///< of the scan's first beam
-  MotionIncrement motion{};        ///< since the reading before; identity in the first
-  Twist2 twist{};                  ///< of the base during the sweep, as odometry saw it; zero where not known
-  std::optional<Scan> scan{};      ///< nothing: an odometry-only record
-  std::optional<double> heading{};  ///< of the base in the map, counter-clockwise from +x [rad]; bias and noise included
+  Time stamp{};                ///< of the scan's first beam
+  MotionIncrement motion{};    ///< since the reading before; identity in the first
+  Twist2 twist{};              ///< of the base during the sweep, as odometry saw it; zero where not known
+  std::optional<Scan> scan{};  ///< nothing: an odometry-only record
+  std::optional<double>
+      heading{};  ///< of the base in the map, counter-clockwise from +x [rad]; bias and noise included
 };
 
 // What the odometry front end (slam/odometry) turns into readings, once per run.

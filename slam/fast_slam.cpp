@@ -19,11 +19,7 @@ struct FastSlam::WorkerScratch {
 };
 
 FastSlam::FastSlam(const SlamConfig& config, std::uint32_t seed, Workers& workers)
-    : config_(config),
-      seed_(seed),
-      workers_(workers),
-      meter_(std::make_shared<MemoryMeter>()),
-      motion_(config.motion) {
+    : config_(config), seed_(seed), workers_(workers), meter_(std::make_shared<MemoryMeter>()), motion_(config.motion) {
   config.check();
   const MapStore empty(config.store, config.cell_size, config.map_frame(), meter_);
   const double bias_variance = config.compass.bias_sigma * config.compass.bias_sigma;
@@ -62,7 +58,8 @@ void FastSlam::step(const Reading& reading) {
 
 void FastSlam::advance(Particle& particle, std::size_t slot, const Reading& reading, WorkerScratch& scratch) const {
   const double before = particle.log_weight;
-  Rng rng({.seed = seed_, .purpose = Purpose::kMotionSample, .entity = static_cast<std::uint32_t>(slot), .tick = records_});
+  Rng rng(
+      {.seed = seed_, .purpose = Purpose::kMotionSample, .entity = static_cast<std::uint32_t>(slot), .tick = records_});
   if (config_.proposal == Proposal::kMotion) {
     propose_by_motion(particle, rng, scratch);  // (4), (5), (6)
   } else {
@@ -95,8 +92,8 @@ void FastSlam::propose_by_motion(Particle& particle, Rng& rng, WorkerScratch& sc
 }
 
 // Grisetti et al. 2007, sec. IV: the proposal uses the scan too, so few particles are wasted. The weight is then
-// p(z | x', u) = integral of p(z | x) p(x | x', u) dx, here by Laplace's method about the mode, and tempered as a whole:
-// a scan is sharper evidence of where it lies in its map than of which of two maps is right.
+// p(z | x', u) = integral of p(z | x) p(x | x', u) dx, here by Laplace's method about the mode, and tempered as a
+// whole: a scan is sharper evidence of where it lies in its map than of which of two maps is right.
 void FastSlam::propose_by_match(Particle& particle, Rng& rng, WorkerScratch& scratch) const {
   const Pose2 predicted = particle.T_map_base * motion_.T_last_now();
   const Eigen::Matrix3d covariance = motion_.covariance();
@@ -108,9 +105,9 @@ void FastSlam::propose_by_match(Particle& particle, Rng& rng, WorkerScratch& scr
   load_around(predicted, particle, scratch.likelihood.margin_cells() + search_margin_cells(covariance), scratch);
   scratch.likelihood.look_at(scratch.map.log_odds);
   const double sharpness = config_.matcher.sharpness;
-  const ScanMatch match = match_scan(
-      [&](const Pose2& pose) { return sharpness * scratch.likelihood.field_log_likelihood(probes_, pose); }, predicted,
-      covariance, config_.matcher);
+  const ScanMatch match =
+      match_scan([&](const Pose2& pose) { return sharpness * scratch.likelihood.field_log_likelihood(probes_, pose); },
+                 predicted, covariance, config_.matcher);
   particle.T_map_base = sample_pose(match.T_map_base, match.covariance, rng);
   const double log_evidence =
       match.log_posterior + 0.5 * std::log(match.covariance.determinant() / covariance.determinant());

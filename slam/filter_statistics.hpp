@@ -7,13 +7,14 @@ namespace cogslam {
 
 /// What the filter went through. Byte figures are per particle, shared blocks divided among their sharers.
 struct FilterStatistics {
-  std::int64_t registered = 0;   ///< scans that changed the map
-  std::int64_t tracked = 0;      ///< scans that only moved the pose
+  std::int64_t registered = 0;  ///< scans that changed the map
+  std::int64_t tracked = 0;     ///< scans that only moved the pose
   std::int64_t resamplings = 0;
-  double payload_bytes = 0.0;    ///< map values alone, mean over registered scans
-  double bytes = 0.0;            ///< all-in: headers, directories, heap padding, pose and path tree; mean
+  double payload_bytes = 0.0;  ///< map values alone, mean over registered scans
+  double bytes = 0.0;          ///< all-in: headers, directories, heap padding, pose and path tree; mean
   double bytes_peak = 0.0;
-  std::optional<double> ancestors_100;  ///< distinct ancestors 100 registered scans back, at the end; nothing: too short
+  std::optional<double>
+      ancestors_100;  ///< distinct ancestors 100 registered scans back, at the end; nothing: too short
 };
 
 }  // namespace cogslam

@@ -10,7 +10,7 @@ namespace cogslam {
 
 /// What odometry's covariance leaves out.
 struct MotionModelConfig {
-  double inflation = 1.5;             ///< odometry's standard deviations times this
+  double inflation = 1.5;              ///< odometry's standard deviations times this
   double least_sigma_position = 0.01;  ///< per registered step [m]: what odometry is wrong by in every step alike
   double least_sigma_heading = 0.005;  ///< [rad]
 };

@@ -28,9 +28,9 @@ struct ResamplingConfig {
 /// Everything the filter can be told. Plain values; `check` says what cannot be.
 struct SlamConfig {
   int particles = 100;
-  double cell_size = 0.1;           ///< [m]
-  std::optional<Rectangle> area;    ///< what the map covers [m]; nothing: it grows (dense store only)
-  Pose2 start{};                    ///< T_map_base before the first reading
+  double cell_size = 0.1;         ///< [m]
+  std::optional<Rectangle> area;  ///< what the map covers [m]; nothing: it grows (dense store only)
+  Pose2 start{};                  ///< T_map_base before the first reading
   Proposal proposal = Proposal::kScanMatched;
   StoreConfig store{};
   LogOddsModel log_odds{};

@@ -16,8 +16,8 @@ struct Beam {
 
 /// How a scan becomes beams.
 struct SweepConfig {
-  int beams = 180;               ///< at most so many are used, evenly spread over the scan: a hit beats any number of misses,
-                                 ///< so with very many beams noise alone thickens every wall
+  int beams = 180;  ///< at most so many are used, evenly spread over the scan: a hit beats any number of misses,
+                    ///< so with very many beams noise alone thickens every wall
   double max_hit_range = 30.0;   ///< farther returns only carve [m]
   double max_free_range = 12.0;  ///< beams without a hit carve up to here [m]; a hit carves up to itself
   bool carve_no_return = false;  ///< a beam without return carves too: true in a closed world, not where glass is black

@@ -23,14 +23,14 @@ enum class FloorKind : std::uint8_t { kCarpet, kWood, kConcrete, kTile, kPlain }
 /// What the floor camera looks at.
 struct Floor {
   FloorKind kind = FloorKind::kCarpet;
-  double contrast = 1.0;     ///< share of the kind's own contrast, in [0, 1]
-  std::uint32_t seed = 1;    ///< which piece of carpet
+  double contrast = 1.0;   ///< share of the kind's own contrast, in [0, 1]
+  std::uint32_t seed = 1;  ///< which piece of carpet
 };
 
 /// A disc in which the wheels grip less.
 struct SlipPatch {
   Eigen::Vector2d centre{0.0, 0.0};
-  double radius = 0.5;   ///< [m]
+  double radius = 0.5;    ///< [m]
   double friction = 0.2;  ///< share of the usual friction, in [0, 1]
 };
 
@@ -41,7 +41,7 @@ struct World {
   std::vector<Polygon> obstacles;  ///< boxes and other loops that stand in it
   Floor floor{};
   std::vector<SlipPatch> slip_patches;
-  Pose2 start{};                   ///< T_map_base at time 0; the map frame is the world frame
+  Pose2 start{};  ///< T_map_base at time 0; the map frame is the world frame
 
   /// Every surface, walls first, in the order of their corners.
   [[nodiscard]] std::vector<Segment> segments() const;

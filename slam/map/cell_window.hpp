@@ -21,7 +21,8 @@ struct CellWindow {
     return {{min.x - cells, min.y - cells}, {max.x + cells, max.y + cells}};
   }
   [[nodiscard]] bool contains(const CellWindow& other) const {
-    return other.empty() || (other.min.x >= min.x && other.min.y >= min.y && other.max.x <= max.x && other.max.y <= max.y);
+    return other.empty() ||
+           (other.min.x >= min.x && other.min.y >= min.y && other.max.x <= max.x && other.max.y <= max.y);
   }
   void include(Cell c) {
     if (empty()) {

@@ -13,7 +13,8 @@ int floor_div(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 CellWindow blocks_of(const CellWindow& cells) {
   if (cells.empty()) return {};
   constexpr int b = DenseMap::kBlock;
-  return {{floor_div(cells.min.x, b), floor_div(cells.min.y, b)}, {floor_div(cells.max.x, b), floor_div(cells.max.y, b)}};
+  return {{floor_div(cells.min.x, b), floor_div(cells.min.y, b)},
+          {floor_div(cells.max.x, b), floor_div(cells.max.y, b)}};
 }
 
 template <class Visit>
@@ -37,19 +38,17 @@ DenseMap::Block::Block(std::shared_ptr<MemoryMeter> meter, std::size_t cell_coun
       cells(cell_count, 0.0F) {}
 
 DenseMap::Directory::Directory(std::shared_ptr<MemoryMeter> meter, const CellWindow& window)
-    : counted(std::move(meter), 0,
-              shared_block_bytes<Directory>() +
-                  heap_bytes(static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(window.height()) *
-                             sizeof(BlockPtr))),
+    : counted(
+          std::move(meter), 0,
+          shared_block_bytes<Directory>() + heap_bytes(static_cast<std::size_t>(window.width()) *
+                                                       static_cast<std::size_t>(window.height()) * sizeof(BlockPtr))),
       blocks(window),
       entries(static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(window.height())) {}
 
 std::size_t DenseMap::Directory::index(Cell block) const { return offset(blocks, block); }
 
 DenseMap::DenseMap(double cell_size, std::optional<GridFrame> area, std::shared_ptr<MemoryMeter> meter)
-    : cell_size_(cell_size),
-      meter_(std::move(meter)),
-      directory_(std::make_shared<Directory>(meter_, CellWindow{})) {
+    : cell_size_(cell_size), meter_(std::move(meter)), directory_(std::make_shared<Directory>(meter_, CellWindow{})) {
   if (area) {
     EXPECTS(area->cell_size == cell_size);
     area_ = window_of(*area);

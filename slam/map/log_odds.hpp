@@ -17,8 +17,8 @@ enum class CellRule {
 
 /// The inverse sensor model: what one scan adds to the log-odds of a cell. The prior l_0 is 0 (p = 0.5).
 struct LogOddsModel {
-  float hit = 0.8F;    ///< added where a beam ends on a surface
-  float free = -0.4F;  ///< added where a beam passes
+  float hit = 0.8F;     ///< added where a beam ends on a surface
+  float free = -0.4F;   ///< added where a beam passes
   bool clamped = true;  ///< keep within [min, max]; false: unbounded, as the paper writes it
   float min = -2.0F;
   float max = 3.2F;

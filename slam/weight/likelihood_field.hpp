@@ -46,8 +46,8 @@ class LikelihoodField {
  private:
   void stamp(int column, int row);
 
-  int samples_;        ///< per cell side
-  int reach_;          ///< samples around a cell that its kernel covers
+  int samples_;  ///< per cell side
+  int reach_;    ///< samples around a cell that its kernel covers
   int margin_cells_;
   double per_metre_;
   double left_ = 0.0, bottom_ = 0.0;  ///< position of the first sample, in samples

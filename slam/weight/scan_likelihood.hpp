@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/grid.hpp"
-#include "slam/weight/likelihood_field.hpp"
 #include "slam/sweep.hpp"
+#include "slam/weight/likelihood_field.hpp"
 
 namespace cogslam {
 

@@ -131,7 +131,8 @@ class RelationsScript : public testing::TestWithParam<RealLog> {
     return relation_errors(relations_, records_.stamps, records_.odometry, path);
   }
   /// What the script prints for these poses, to the last bit of each number.
-  [[nodiscard]] ExpectedErrors run_script(const std::string& interpreter, const std::vector<RegisteredPose>& poses) const {
+  [[nodiscard]] ExpectedErrors run_script(const std::string& interpreter,
+                                          const std::vector<RegisteredPose>& poses) const {
     std::string text;
     for (const RegisteredPose& p : poses) {
       const Pose2& T = p.T_map_base;
