@@ -78,8 +78,14 @@ void SlamConfig::check() const {
   if (store.kind == StoreKind::kCoefficients && !area) {
     throw InputError("store 'coefficients' transforms the whole map: it needs a stated map area");
   }
+  if (proposal == Proposal::kScanMatched && likelihood.model == ScanModel::kBeam) {
+    throw InputError("likelihood model 'beam' weighs poses drawn from the motion: it needs proposal 'motion'");
+  }
   if (log_odds.clamped && (log_odds.min >= 0.0F || log_odds.max <= 0.0F)) {
     throw InputError("log_odds: min must be below 0 and max above 0");
+  }
+  if (proposal == Proposal::kScanMatched && likelihood.model == ScanModel::kBeam) {
+    throw InputError("likelihood model 'beam' weighs poses drawn from the motion: it needs proposal 'motion'");
   }
   if (log_odds.clamped && log_odds.max <= kOccupiedLogOdds) {
     throw InputError("log_odds: max must be above " + number_text(kOccupiedLogOdds) +

@@ -20,7 +20,7 @@ struct ScanLikelihoodConfig {
   double effective_beams = 20;  ///< a scan counts as so many independent beams: neighbours see the same wall
   double hit_share = 0.9;       ///< of returns that come from a mapped surface; the rest may end anywhere
   double unknown_value = 0.3;   ///< of an end point in an unknown cell, against 1 on a mapped surface
-  double range_sigma = 0.05;    ///< beam model: spread of a range about the expected one [m]
+  double range_sigma = 0.02;    ///< beam model: spread of a range about the expected one [m]
   LikelihoodFieldConfig field{};
 };
 
