@@ -20,6 +20,7 @@ enum class Purpose : std::uint32_t {
   kResample = 10,
   kProposal = 11,
   kCameraLight = 12,
+  kCompression = 13,
 };
 
 /// Names one stream. Keys that differ in any field give independent draws, so adding a draw in

@@ -30,12 +30,13 @@ class Haar1dBasis {
   explicit Haar1dBasis(std::size_t length);
 
   [[nodiscard]] std::size_t cells() const { return length_; }
-  [[nodiscard]] std::size_t size() const { return scratch_.size(); }
+  [[nodiscard]] std::size_t size() const { return canvas_.size(); }
   void forward(std::span<const double> values, std::span<double> coefficients);
   void inverse(std::span<const double> coefficients, std::span<double> values);
 
  private:
   std::size_t length_;
+  std::vector<double> canvas_;
   std::vector<double> scratch_;
 };
 
@@ -54,7 +55,7 @@ class HaarStandardBasis {
   std::size_t map_width_, map_height_;
   std::size_t width_, height_;
   std::vector<double> canvas_;
-  std::vector<double> scratch_;  // as many rows as a column has
+  std::vector<double> scratch_;
 };
 
 }  // namespace cogslam
