@@ -22,6 +22,8 @@ set(HOMES
   "Random123/@^(core/rng|sensors/pixel_noise)\\.cpp$"  # a picture draws a million numbers at once
   "nlohmann/@^eval/"
   "png\\.h@^eval/"
+  "lz4\\.h@^eval/lab/"
+  "zstd\\.h@^eval/lab/"
   "CLI/@^cli/"
   "fmt/@^(eval|cli)/")
 
