@@ -14,8 +14,8 @@ struct SourcePlace {
   /// "file:line:column", "file:line" or "file", whatever is known.
   [[nodiscard]] std::string text() const {
     std::string out = file;
-    if (line > 0) out += ":" + std::to_string(line);
-    if (line > 0 && column > 0) out += ":" + std::to_string(column);
+    if (line > 0) out.append(1, ':').append(std::to_string(line));
+    if (line > 0 && column > 0) out.append(1, ':').append(std::to_string(column));
     return out;
   }
 };

@@ -48,12 +48,11 @@ struct MotionIncrement {
 /// One step's evidence. `sequence` is the order; the stamp is a label (stamps of real logs jump backwards).
 struct Reading {
   std::uint64_t sequence = 0;
-  Time stamp{};                ///< of the scan's first beam
-  MotionIncrement motion{};    ///< since the reading before; identity in the first
-  Twist2 twist{};              ///< of the base during the sweep, as odometry saw it; zero where not known
-  std::optional<Scan> scan{};  ///< nothing: an odometry-only record
-  std::optional<double>
-      heading{};  ///< of the base in the map, counter-clockwise from +x [rad]; bias and noise included
+  Time stamp{};                     ///< of the scan's first beam
+  MotionIncrement motion{};         ///< since the reading before; identity in the first
+  Twist2 twist{};                   ///< of the base during the sweep, as odometry saw it; zero where not known
+  std::optional<Scan> scan{};       ///< nothing: an odometry-only record
+  std::optional<double> heading{};  ///< of the base, counter-clockwise from the map's +x [rad]; with bias and noise
 };
 
 // What the odometry front end (slam/odometry) turns into readings, once per run.
