@@ -2,103 +2,77 @@
 
 #include <cmath>
 #include <numbers>
-#include <unsupported/Eigen/FFT>
 
 #include "core/check.hpp"
 
 namespace cogslam {
 
-struct DctLines::Plan {
-  using Complex = std::complex<double>;
+struct DctLines::Pair {
+  const double* a;
+  const double* b;
+  double* to_a;
+  double* to_b;
 
-  explicit Plan(std::size_t n)
-      : turn(n), scale(n), in(n), out(n), fft(Eigen::default_fft_impl<double>(), Eigen::FFT<double>::Unscaled) {
-    for (std::size_t k = 0; k < n; ++k) {
-      const double angle = std::numbers::pi * static_cast<double>(k) / (2.0 * static_cast<double>(n));
-      turn[k] = {std::cos(angle), std::sin(angle)};
-      scale[k] = std::sqrt((k == 0 ? 1.0 : 2.0) / static_cast<double>(n));
-    }
-    if (n > 1) {  // the first use makes the tables of a length
-      fft.fwd(out.data(), in.data(), static_cast<Eigen::Index>(n));
-      fft.inv(out.data(), in.data(), static_cast<Eigen::Index>(n));
-    }
-  }
-
-  /// Even samples forwards, then odd ones backwards: the DCT of a line is the real part of the turned FFT of that.
-  [[nodiscard]] std::size_t shuffled(std::size_t j) const { return j % 2 == 0 ? j / 2 : in.size() - 1 - j / 2; }
-
-  void forward(const double* a, const double* b, double* to_a, double* to_b, std::size_t step);
-  void inverse(const double* a, const double* b, double* to_a, double* to_b, std::size_t step);
-
-  std::vector<Complex> turn;  ///< e^(i pi k / 2n)
-  std::vector<double> scale;  ///< s_k
-  std::vector<Complex> in, out;
-  Eigen::FFT<double> fft;
+  /// Lines i and i + 1 of `count`; the last of an odd number stands for both.
+  Pair(const double* in, double* out, std::size_t i, std::size_t count, std::size_t line_step)
+      : a(in + i * line_step),
+        b(in + (i + 1 < count ? i + 1 : i) * line_step),
+        to_a(out + (a - in)),
+        to_b(out + (b - in)) {}
 };
 
-void DctLines::Plan::forward(const double* a, const double* b, double* to_a, double* to_b, std::size_t step) {
-  const std::size_t n = in.size();
-  for (std::size_t j = 0; j < n; ++j) in[shuffled(j)] = {a[j * step], b[j * step]};
-  fft.fwd(out.data(), in.data(), static_cast<Eigen::Index>(n));
+DctLines::DctLines(std::size_t length) : fft_(length), turn_(length), scale_(length), in_(length), out_(length) {
+  const auto n = static_cast<double>(length);
+  for (std::size_t k = 0; k < length; ++k) {
+    const double angle = std::numbers::pi * static_cast<double>(k) / (2.0 * n);
+    turn_[k] = {std::cos(angle), std::sin(angle)};
+    scale_[k] = std::sqrt((k == 0 ? 1.0 : 2.0) / n);
+  }
+}
+
+/// Even samples forwards, then odd ones backwards: the DCT of a line is the real part of the turned FFT of that.
+std::size_t DctLines::shuffled(std::size_t j) const { return j % 2 == 0 ? j / 2 : length() - 1 - j / 2; }
+
+void DctLines::forward(const Pair& pair, std::size_t step) {
+  const std::size_t n = length();
+  for (std::size_t j = 0; j < n; ++j) in_[shuffled(j)] = {pair.a[j * step], pair.b[j * step]};
+  fft_.forward(in_, out_);
   for (std::size_t k = 0; k < n; ++k) {
     // The spectra of the two real lines are the parts of Z that are symmetric and antisymmetric in k.
-    const Complex z = out[k], mirror = out[k == 0 ? 0 : n - k];
+    const std::complex<double> z = out_[k], mirror = out_[k == 0 ? 0 : n - k], turn = turn_[k];
     const double a_re = 0.5 * (z.real() + mirror.real()), a_im = 0.5 * (z.imag() - mirror.imag());
     const double b_re = 0.5 * (z.imag() + mirror.imag()), b_im = 0.5 * (mirror.real() - z.real());
-    to_a[k * step] = scale[k] * (turn[k].real() * a_re + turn[k].imag() * a_im);
-    to_b[k * step] = scale[k] * (turn[k].real() * b_re + turn[k].imag() * b_im);
+    pair.to_a[k * step] = scale_[k] * (turn.real() * a_re + turn.imag() * a_im);
+    pair.to_b[k * step] = scale_[k] * (turn.real() * b_re + turn.imag() * b_im);
   }
 }
 
-void DctLines::Plan::inverse(const double* a, const double* b, double* to_a, double* to_b, std::size_t step) {
-  const std::size_t n = in.size();
-  const double norm = 1.0 / static_cast<double>(n);
+void DctLines::inverse(const Pair& pair, std::size_t step) {
+  const std::size_t n = length();
   for (std::size_t k = 0; k < n; ++k) {
     // V_k = e^(i pi k / 2n) (c_k - i c_(n-k)), c in the scale of the plain sums and c_n = 0.
-    const double unscale = norm / scale[k];
+    const double unscale = 1.0 / (scale_[k] * static_cast<double>(n));
     const std::size_t mirror = k == 0 ? 0 : n - k;
-    const double a_re = a[k * step] * unscale, a_im = k == 0 ? 0.0 : -a[mirror * step] * unscale;
-    const double b_re = b[k * step] * unscale, b_im = k == 0 ? 0.0 : -b[mirror * step] * unscale;
+    const double a_re = pair.a[k * step] * unscale, a_im = k == 0 ? 0.0 : -pair.a[mirror * step] * unscale;
+    const double b_re = pair.b[k * step] * unscale, b_im = k == 0 ? 0.0 : -pair.b[mirror * step] * unscale;
     const double re = a_re - b_im, im = a_im + b_re;  // of V_a + i V_b, before the turn
-    in[k] = {turn[k].real() * re - turn[k].imag() * im, turn[k].real() * im + turn[k].imag() * re};
+    const std::complex<double> turn = turn_[k];
+    // Conjugated, so that the forward transform is the inverse one.
+    in_[k] = {turn.real() * re - turn.imag() * im, -(turn.real() * im + turn.imag() * re)};
   }
-  fft.inv(out.data(), in.data(), static_cast<Eigen::Index>(n));
+  fft_.forward(in_, out_);
   for (std::size_t j = 0; j < n; ++j) {
-    to_a[j * step] = out[shuffled(j)].real();
-    to_b[j * step] = out[shuffled(j)].imag();
+    pair.to_a[j * step] = out_[shuffled(j)].real();
+    pair.to_b[j * step] = -out_[shuffled(j)].imag();
   }
 }
 
-DctLines::DctLines(std::size_t length) : length_(length), plan_(std::make_unique<Plan>(length)) { EXPECTS(length > 0); }
-
-DctLines::~DctLines() = default;
-DctLines::DctLines(DctLines&&) noexcept = default;
-DctLines& DctLines::operator=(DctLines&&) noexcept = default;
-
-// Nothing in a plan but its length outlives a call.
-DctLines::DctLines(const DctLines& other) : DctLines(other.length_) {}
-DctLines& DctLines::operator=(const DctLines& other) { return *this = DctLines(other.length_); }
-
 void DctLines::forward(const double* in, double* out, std::size_t count, std::size_t line_step, std::size_t step) {
-  for (std::size_t i = 0; i < count; i += 2) {
-    const std::size_t a = i * line_step, b = (i + 1 < count ? i + 1 : i) * line_step;
-    if (length_ == 1) {
-      out[a] = in[a], out[b] = in[b];
-    } else {
-      plan_->forward(in + a, in + b, out + a, out + b, step);
-    }
-  }
+  for (std::size_t i = 0; i < count; i += 2) forward(Pair(in, out, i, count, line_step), step);
 }
 
 void DctLines::inverse(const double* in, double* out, std::size_t count, std::size_t line_step, std::size_t step) {
-  for (std::size_t i = 0; i < count; i += 2) {
-    const std::size_t a = i * line_step, b = (i + 1 < count ? i + 1 : i) * line_step;
-    if (length_ == 1) {
-      out[a] = in[a], out[b] = in[b];
-    } else {
-      plan_->inverse(in + a, in + b, out + a, out + b, step);
-    }
-  }
+  for (std::size_t i = 0; i < count; i += 2) inverse(Pair(in, out, i, count, line_step), step);
 }
 
 void Dct1d::forward(std::span<const double> values, std::span<double> coefficients) {

@@ -2,35 +2,36 @@
 
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <vector>
+
+#include "slam/codec/fft.hpp"
 
 namespace cogslam {
 
 /// Orthonormal DCT-II of lines of any length n,
 ///   c_k = s_k sum_j x_j cos(pi (2j+1) k / 2n), s_0 = sqrt(1/n), s_k = sqrt(2/n),
-/// and its inverse, by one complex FFT of length n for two lines at a time (Makhoul 1980). n log n where the prime
-/// factors of n are small; a prime factor p costs n p.
+/// and its inverse, by one complex FFT of length n for two lines at a time (Makhoul 1980).
 class DctLines {
  public:
   explicit DctLines(std::size_t length);
-  ~DctLines();
-  DctLines(const DctLines& other);
-  DctLines& operator=(const DctLines& other);
-  DctLines(DctLines&&) noexcept;
-  DctLines& operator=(DctLines&&) noexcept;
 
-  [[nodiscard]] std::size_t length() const { return length_; }
+  [[nodiscard]] std::size_t length() const { return fft_.length(); }
   /// Transforms `count` lines; value j of line i is at i * line_step + j * step, in `in` and `out` alike; in may be
   /// out.
   void forward(const double* in, double* out, std::size_t count, std::size_t line_step, std::size_t step);
   void inverse(const double* in, double* out, std::size_t count, std::size_t line_step, std::size_t step);
 
  private:
-  struct Plan;
-  std::size_t length_;
-  std::unique_ptr<Plan> plan_;
+  struct Pair;  // two lines, the parts of complex ones
+  [[nodiscard]] std::size_t shuffled(std::size_t j) const;
+  void forward(const Pair& pair, std::size_t step);
+  void inverse(const Pair& pair, std::size_t step);
+
+  Fft fft_;
+  std::vector<std::complex<double>> turn_;  ///< e^(i pi k / 2n)
+  std::vector<double> scale_;               ///< s_k
+  std::vector<std::complex<double>> in_, out_;
 };
 
 /// DCT-II of vec(M), or of a signal.
