@@ -82,8 +82,12 @@ TEST_F(CarmenLogFile, ReadsTheNewStyle) {
 }
 
 TEST_F(CarmenLogFile, CovarianceDoesNotDependOnHowADriveIsCut) {
-  OdometryNoise noise;
-  noise.position_floor_m = noise.heading_floor = 0.0;
+  const OdometryNoise noise{.position_per_m = 0.03,
+                            .position_per_rad = 0.01,
+                            .heading_per_m = radians(2.0),
+                            .heading_per_rad = radians(4.0),
+                            .position_floor_m = 0.0,
+                            .heading_floor = 0.0};
   const Eigen::Matrix3d whole = noise.covariance({2.0, 0.0, 0.0}), half = noise.covariance({1.0, 0.0, 0.0});
   EXPECT_TRUE(whole.isApprox(2.0 * half, 1e-12));
   EXPECT_NEAR(half(0, 0), 0.03 * 0.03, 1e-15);
