@@ -8,8 +8,8 @@
 namespace cogslam {
 
 /// Compressed sensing embedded Kalman filter (CSEKF, sec. 4.3, Alg. 5): one Kalman step, then tau - 1 pseudo-
-/// measurements that the l1 norm be zero. The variances and the unit prior fix a scale: rescaled data give another
-/// answer. Memory n^2, time tau n^2. Works for any map.
+/// measurements that the l1 norm be zero. Memory n^2, time tau n^2. Works for any map. Scaled data give
+/// the scaled answer, as only the signs enter the gains; scaled variances do not.
 struct KalmanCs {
   double measurement_variance = 0.01 * 0.01;  ///< Q > 0, squared units of y
   double process_variance = 0.0;              ///< R >= 0

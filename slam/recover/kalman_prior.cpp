@@ -13,20 +13,11 @@ KalmanEstimate kalman_step(const MapView& a, std::span<const double> y, double m
   const double prior = 1.0 + process_variance;
   const Eigen::MatrixXd H = explicit_matrix(a);
   const Eigen::Map<const Eigen::VectorXd> b(y.data(), static_cast<Eigen::Index>(y.size()));
-  Eigen::MatrixXd KH;
-  Eigen::VectorXd mean;
-  if (a.orthonormal_rows()) {  // K = H' prior / (prior + Q)
-    const double gain = prior / (prior + measurement_variance);
-    mean.noalias() = gain * (H.transpose() * b);
-    KH.noalias() = gain * (H.transpose() * H);
-  } else {
-    Eigen::MatrixXd innovation = prior * (H * H.transpose());
-    innovation.diagonal().array() += measurement_variance;
-    const Eigen::LLT<Eigen::MatrixXd> factor(innovation);
-    mean.noalias() = prior * (H.transpose() * factor.solve(b));
-    KH.noalias() = prior * (H.transpose() * factor.solve(H));
-  }
-  KalmanEstimate estimate{std::move(mean), -prior * KH};
+  Eigen::MatrixXd innovation = prior * (H * H.transpose());
+  innovation.diagonal().array() += measurement_variance;
+  const Eigen::LLT<Eigen::MatrixXd> factor(innovation);
+  KalmanEstimate estimate{prior * (H.transpose() * factor.solve(b)),
+                          -(prior * prior) * (H.transpose() * factor.solve(H))};
   estimate.covariance.diagonal().array() += prior;
   return estimate;
 }
