@@ -33,6 +33,7 @@ void print_record(const RunRecord& record, bool json) {
 
 void check_out(const Options& options) {
   if (options.no_files) return;
+  if (options.out.empty()) throw InputError("--out: expected a folder, found nothing");
   std::filesystem::path at = std::filesystem::absolute(options.out);
   std::error_code error;
   while (!std::filesystem::exists(at, error) && at.has_relative_path()) at = at.parent_path();
@@ -47,12 +48,14 @@ int publish(const RunFiles& files, const Options& options, ProgressLine& progres
     progress.warn("nothing measured: the readings hold no scan");
     return kNothingMeasured;
   }
+  if (!options.no_files) {  // before the table: whoever reads that may stop reading
+    const std::filesystem::path folder = write_run_folder(options.out, files, progress.begin());
+    progress.say("wrote " + folder.string());
+  }
   progress.clear();
   print_record(files.episode.record, options.json);
-  std::fflush(stdout);
-  if (options.no_files) return kOk;
-  const std::filesystem::path folder = write_run_folder(options.out, files, progress.begin());
-  progress.say("wrote " + folder.string());
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw InputError("standard output: cannot write the result");
   return kOk;
 }
 

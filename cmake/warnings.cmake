@@ -6,6 +6,8 @@ target_compile_options(cogslam_options INTERFACE -Wall -Wextra -Wpedantic -Wconv
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<BOOL:${COGSLAM_WERROR}>:-Werror>
   # Scores must not depend on whether a CPU fuses multiply and add.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # A program names its own files, not where they were built.
+  -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
 target_include_directories(cogslam_options INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/cogslam>)

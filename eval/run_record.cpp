@@ -62,6 +62,7 @@ Json scores(const Scores& s) {
           {"resamplings", or_null(s.resamplings)},
           {"ancestors_100", or_null(s.ancestors_100)},
           {"payload_bytes", or_null(s.payload_bytes)},
+          {"payload_bytes_bitmap", or_null(s.payload_bytes_bitmap)},
           {"bytes", or_null(s.bytes)},
           {"bytes_peak", or_null(s.bytes_peak)},
           {"state_hash", or_null(s.state_hash)},

@@ -35,10 +35,11 @@ struct Scores {
   std::optional<double> path_mse_vs_baseline_m2;                            ///< online path against the baseline's
   std::optional<double> grid_mse_vs_baseline;                               ///< all cells
   std::optional<std::uint64_t> registered;                                  ///< scans that changed the map
-  std::optional<std::uint64_t> tracked;                                     ///< scans that only refined the pose
+  std::optional<std::uint64_t> tracked;                                     ///< scans in between: odometry alone moved the pose
   std::optional<std::uint64_t> resamplings;
   std::optional<std::uint64_t> ancestors_100;  ///< distinct ancestors, 100 updates back
   std::optional<double> payload_bytes;         ///< per particle, mean over registered scans
+  std::optional<double> payload_bytes_bitmap;  ///< the same with a bitmap for the index; coefficients only
   std::optional<double> bytes;                 ///< all-in, per particle, mean over registered scans
   std::optional<std::uint64_t> bytes_peak;     ///< all-in, per particle, peak
   std::optional<std::string> state_hash;       ///< of the filter at the end

@@ -1,8 +1,11 @@
 #include "eval/scenario.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
+#include "worlds/polygon.hpp"
 #include "worlds/world_config.hpp"
 
 namespace cogslam {
@@ -46,6 +49,18 @@ void check_slam(const ConfigSection& section, const std::string& key, const Slam
     slam.check();
   } catch (const InputError& error) {
     section.fail(key, error.what());
+  }
+}
+
+/// The body must not stand in a surface at the start: the physics would throw it out.
+void check_room_to_stand(const Scenario& scenario, ConfigSection& file) {
+  const Polygon body = box(scenario.world.start, scenario.robot.length, scenario.robot.width);
+  for (const Segment& side : edges(body)) {
+    for (const Segment& surface : scenario.world.segments()) {
+      if (!touch(side, surface)) continue;
+      file.section("world").fail("start", "start: the robot stands in a wall or a box, expected room for its body of " +
+                                              fmt::format("{} x {} m", scenario.robot.length, scenario.robot.width));
+    }
   }
 }
 
@@ -115,6 +130,8 @@ Scenario read_scenario(ConfigSection file, const std::string& default_name) {
   scenario.sensors.camera_rate_hz = scenario.camera.enabled ? scenario.camera.rate : 0.0;
   ConfigSection odometry = file.section("odometry");
   read(odometry, scenario.odometry);
+
+  check_room_to_stand(scenario, file);
 
   double margin = 0.3;
   ConfigSection map = file.section("map");

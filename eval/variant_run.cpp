@@ -12,8 +12,6 @@
 namespace cogslam {
 namespace {
 
-constexpr std::size_t kReadingsPerProgress = 64;
-
 void add_statistics(const FilterStatistics& statistics, Scores& scores) {
   scores.registered = static_cast<std::uint64_t>(statistics.registered);
   scores.tracked = static_cast<std::uint64_t>(statistics.tracked);
@@ -22,6 +20,14 @@ void add_statistics(const FilterStatistics& statistics, Scores& scores) {
   scores.payload_bytes = statistics.payload_bytes;
   scores.bytes = statistics.bytes;
   scores.bytes_peak = static_cast<std::uint64_t>(statistics.bytes_peak);
+}
+
+/// What the kept coefficients take when a bit per possible position says which they are, in place of 4 bytes for each.
+std::optional<double> bitmap_payload(const SlamConfig& slam, double payload_bytes) {
+  if (slam.store.kind != StoreKind::kCoefficients) return std::nullopt;
+  const GridFrame frame = *slam.map_frame();
+  const std::size_t positions = HaarCanvas::covering(frame.width, frame.height).support();
+  return payload_bytes / 2.0 + static_cast<double>((positions + 7) / 8);
 }
 
 std::string map_hash(const Grid<float>& map) {
@@ -91,7 +97,7 @@ void run_filter(const VariantConfig& variant, std::uint32_t seed, const Recordin
                 const Progress& progress, VariantRun& run) {
   FastSlam slam(variant.slam, seed, workers);
   for (std::size_t i = 0; i < recording.readings.size(); ++i) {
-    if (progress && i % kReadingsPerProgress == 0) {
+    if (progress) {  // each time: with many particles one reading takes seconds
       progress(static_cast<double>(i) / static_cast<double>(recording.readings.size()));
     }
     slam.update(recording.readings[i]);
@@ -107,9 +113,7 @@ void run_mapper(const VariantConfig& variant, const Recording& recording, const 
                 const Progress& progress, VariantRun& run) {
   TruePoseMapper mapper(variant.slam);
   for (std::size_t i = 0; i < recording.readings.size(); ++i) {
-    if (progress && i % kReadingsPerProgress == 0) {
-      progress(static_cast<double>(i) / static_cast<double>(recording.readings.size()));
-    }
+    if (progress) progress(static_cast<double>(i) / static_cast<double>(recording.readings.size()));
     mapper.update(recording.readings[i], truth.poses[i].T_map_base);
   }
   run.map = mapper.map();
@@ -166,8 +170,11 @@ VariantRun run_variant(const VariantConfig& variant, std::uint32_t seed, const R
   costs.cpu_s = cpu.seconds();
   if (*scores.registered > 0)
     costs.cpu_ms_per_registered = 1e3 * *costs.cpu_s / static_cast<double>(*scores.registered);
-  if (const auto peak = rss_peak_bytes(); peak && rss_before) costs.rss_bytes_above_start = *peak - *rss_before;
+  if (const auto peak = rss_peak_bytes(); peak && rss_before) {
+    costs.rss_bytes_above_start = *peak - std::min(*peak, *rss_before);
+  }
   scores.map_hash = map_hash(run.map);
+  scores.payload_bytes_bitmap = bitmap_payload(variant.slam, *scores.payload_bytes);
   if (evidence.truth != nullptr) {
     score_map(run.map, *evidence.truth, scores);
     if (!variant.true_poses) score_path(run, recording, *evidence.truth, scores);

@@ -91,9 +91,11 @@ void FastSlam::propose_by_motion(Particle& particle, Rng& rng, WorkerScratch& sc
   particle.log_weight += scratch.likelihood.log_likelihood(probes_, particle.T_map_base);  // (6), eq. (8)
 }
 
-// Grisetti et al. 2007, sec. IV: the proposal uses the scan too, so few particles are wasted. The weight is then
-// p(z | x', u) = integral of p(z | x) p(x | x', u) dx, here by Laplace's method about the mode, and tempered as a
-// whole: a scan is sharper evidence of where it lies in its map than of which of two maps is right.
+// Grisetti et al. 2007, sec. IV: the proposal uses the scan too, so few particles are wasted. The weight should be
+// p(z | x', u) = integral of p(z | x) p(x | x', u) dx, here by Laplace's method about the mode. A heuristic departs
+// from it: the match takes p(z | x)^sharpness, the weight the 1/sharpness power of the whole integral, motion prior and
+// volume included, because a scan is sharper evidence of where it lies in its map than of which of two maps is right.
+// It favours particles a little less than it should whose match agrees with odometry.
 void FastSlam::propose_by_match(Particle& particle, Rng& rng, WorkerScratch& scratch) const {
   const Pose2 predicted = particle.T_map_base * motion_.T_last_now();
   const Eigen::Matrix3d covariance = motion_.covariance();

@@ -8,7 +8,7 @@ namespace cogslam {
 /// What the filter went through. Byte figures are per particle, shared blocks divided among their sharers.
 struct FilterStatistics {
   std::int64_t registered = 0;  ///< scans that changed the map
-  std::int64_t tracked = 0;     ///< scans that only moved the pose
+  std::int64_t tracked = 0;     ///< scans that changed nothing: odometry alone moved the pose
   std::int64_t resamplings = 0;
   double payload_bytes = 0.0;  ///< map values alone, mean over registered scans
   double bytes = 0.0;          ///< all-in: headers, directories, heap padding, pose and path tree; mean

@@ -6,7 +6,7 @@
 
 namespace cogslam {
 
-/// When a scan is registered (changes the map) and not only tracked (moves the pose).
+/// When a scan is registered (matched, weighed, put into the map) and not only tracked (odometry moves the pose).
 struct RegistrationConfig {
   double distance = 0.1;  ///< after so much travel [m]
   double turn = 0.1;      ///< or after so much turning [rad]

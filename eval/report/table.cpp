@@ -47,6 +47,7 @@ Row score_row(const VariantRecord& v) {
           figure(root(s.odometry_path_mse_m2), 4),
           figure(s.grid_mse, 4),
           figure(s.payload_bytes, 0),
+          figure(s.payload_bytes_bitmap, 0),
           figure(s.bytes, 0),
           count(s.bytes_peak),
           figure(v.costs.cpu_ms_per_registered, 2),
@@ -73,7 +74,7 @@ void add_relations(const VariantRecord& v, const char* path, const std::optional
 
 std::string score_table(const RunRecord& record) {
   std::vector<Row> rows{{"variant", "cell m", "path RMSE m", "heading RMSE deg", "odometry RMSE m", "grid MSE",
-                         "payload B", "all-in B", "peak B", "CPU ms/reg", "registered", "resamplings"}};
+                         "payload B", "bitmap B", "all-in B", "peak B", "CPU ms/reg", "registered", "resamplings"}};
   for (const VariantRecord& v : record.variants) rows.push_back(score_row(v));
   return aligned(rows);
 }

@@ -41,7 +41,7 @@ bool ScanLikelihood::unknown_at(double x, double y) const {
 }
 
 double ScanLikelihood::field_log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const {
-  if (probes.empty() || field_.empty()) return 0.0;
+  if (probes.empty()) return 0.0;
   const double c = std::cos(T_map_base.theta), s = std::sin(T_map_base.theta);
   const auto hit = static_cast<float>(config_.hit_share), random = 1.0F - hit;
   const auto unknown = static_cast<float>(config_.unknown_value);
@@ -57,7 +57,7 @@ double ScanLikelihood::field_log_likelihood(const std::vector<Beam>& probes, con
 }
 
 double ScanLikelihood::beam_log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const {
-  if (probes.empty() || field_.empty()) return 0.0;
+  if (probes.empty()) return 0.0;
   double sum = 0.0;
   for (const Beam& beam : probes) {
     const ExpectedRange expected = expected_range(*map_, T_map_base * beam.origin, T_map_base * beam.end);

@@ -36,7 +36,7 @@ class ScanLikelihood {
   void look_at(const Grid<float>& log_odds);
 
   /// log p(z | pose, map) up to a constant, tempered: effective_beams times the mean over the probes.
-  /// 0 where there is nothing to compare (no probes, or no occupied cell in the map).
+  /// 0 without probes. A map that shows no obstacle is no excuse: its free and unknown cells speak as any others.
   [[nodiscard]] double log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const;
   /// The same by the likelihood field, whatever the model: what a scan matcher climbs.
   [[nodiscard]] double field_log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const;

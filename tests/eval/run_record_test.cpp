@@ -80,6 +80,7 @@ TEST(RunRecord, WritesEveryFigureUnderItsOwnKey) {
                     {"resamplings", 18},
                     {"ancestors_100", 19},
                     {"payload_bytes", 20.5},
+                    {"payload_bytes_bitmap", nullptr},
                     {"bytes", 21.5},
                     {"bytes_peak", 22},
                     {"state_hash", "23"},

@@ -46,12 +46,26 @@ TEST_P(ScanLikelihoodOf, GrowsInProportionToTheEffectiveBeams) {
   EXPECT_LT(one.log_likelihood(probes, kTruePose), 0.0);
 }
 
-TEST_P(ScanLikelihoodOf, SaysNothingWithoutAMapOrWithoutProbes) {
+TEST_P(ScanLikelihoodOf, GivesNoCreditForAMapWithoutObstacles) {
   ScanLikelihood likelihood({.model = GetParam()}, 0.1);
-  const Grid<float> unknown(GridFrame{.cell_size = 0.1, .lattice_min = {-50, -50}, .width = 100, .height = 100});
   const std::vector<Beam> probes = likelihood.probes_of(clean_sweep(cornered_room(), kTruePose, 90));
-  likelihood.look_at(unknown);
-  EXPECT_EQ(likelihood.log_likelihood(probes, kTruePose), 0.0);
+  const Grid<float> room = mapped_cornered_room(0.1);
+  likelihood.look_at(room);
+  const double mapped = likelihood.log_likelihood(probes, kTruePose);
+  Grid<float> nothing = room;
+  for (float& value : nothing.values()) value = 0.0F;
+  likelihood.look_at(nothing);
+  const double unknown = likelihood.log_likelihood(probes, kTruePose);
+  for (float& value : nothing.values()) value = -2.0F;
+  likelihood.look_at(nothing);
+  const double free = likelihood.log_likelihood(probes, kTruePose);
+  EXPECT_GT(mapped, unknown);
+  EXPECT_GT(unknown, free);
+}
+
+TEST_P(ScanLikelihoodOf, SaysNothingWithoutProbes) {
+  ScanLikelihood likelihood({.model = GetParam()}, 0.1);
+  const std::vector<Beam> probes = likelihood.probes_of(clean_sweep(cornered_room(), kTruePose, 90));
   const Grid<float> room = mapped_cornered_room(0.1);
   likelihood.look_at(room);
   EXPECT_EQ(likelihood.log_likelihood({}, kTruePose), 0.0);
