@@ -37,6 +37,7 @@ struct Layout {
     v.head(stride) = v.segment(stride, stride);
     for (Index r = 1; r <= height; ++r) v[r * stride - 1] = v[r * stride];
   }
+  /// A difference across the end of a row is none; the adjoint of the last cell would read it.
   void clear_spare_column(ArrayXd& v) const {
     for (Index r = 1; r <= height; ++r) v[r * stride + width] = 0.0;
   }
@@ -129,7 +130,6 @@ void Run::step() {
   scratch_ = (at.rows(q_row_).square() + at.rows(q_column_).square()).sqrt().max(1.0).inverse();
   at.rows(q_row_) *= scratch_;
   at.rows(q_column_) *= scratch_;
-  at.clear_spare_column(q_row_);
   at.clear_spare_column(q_column_);
 }
 

@@ -110,14 +110,15 @@ TEST(KalmanCs, RankOneUpdatesEqualTheMatrixProducts) {
 
 TEST(KalmanCsP, OnePassEqualsTheMatrixProductsInEveryReading) {
   for (const Reading reading : {Reading::kAsPrinted, Reading::kTrueGradient, Reading::kPowerSum}) {
-    for (std::uint32_t seed = 0; seed < 5; ++seed) {
+    for (std::uint32_t seed = 0; seed < 6; ++seed) {
       Rng rng = rng_of(40 + seed);
-      const Eigen::MatrixXd H = orthogonal_matrix(15, rng).topRows(6);
-      MatrixMap map = map_of(H);
-      const std::vector<double> y = measured(map, sparse_vector(15, 2, rng));
+      // A selection leaves coefficients at exactly 0, where the derivative has its pole.
+      MatrixMap map =
+          seed % 2 == 0 ? map_of(orthogonal_matrix(15, rng).topRows(6)) : selection_of(random_entries(6, 15, rng), 15);
+      const std::vector<double> y = normal_vector(6, rng);
       const KalmanCsP parameters = with_passes(reading, 1);
-      const Eigen::VectorXd expected = slow::kalman_cs_p(H, vector_of(y), parameters, 1);
-      EXPECT_LE((vector_of(recover(parameters, map, y).x) - expected).norm(), 1e-12);
+      const Eigen::VectorXd expected = slow::kalman_cs_p(explicit_matrix(map), vector_of(y), parameters, 1);
+      EXPECT_LE((vector_of(recover(parameters, map, y).x) - expected).norm(), 1e-11 * (1.0 + expected.norm()));
     }
   }
 }

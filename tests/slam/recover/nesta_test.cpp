@@ -132,6 +132,18 @@ TEST(Nesta, FindsSparseSignalsExactly) {
   }
 }
 
+TEST(Nesta, RestartsSaveIterations) {
+  int with = 0, without = 0;
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    Problem problem(450 + seed, 3);
+    Nesta nesta = Nesta::to_gap(1e-5);
+    with += recover(nesta, problem.map, problem.y).iterations;
+    nesta.restart = false;
+    without += recover(nesta, problem.map, problem.y).iterations;
+  }
+  EXPECT_LT(with, without);
+}
+
 TEST(Nesta, DependsOnlyOnTheRowSpace) {
   for (std::uint32_t seed = 0; seed < 5; ++seed) {
     Problem problem(500 + seed);
