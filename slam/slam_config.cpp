@@ -10,6 +10,7 @@ namespace {
 void read_store(ConfigSection section, StoreConfig& store) {
   section.read_choice("kind", store.kind, {{"dense", StoreKind::kDense}, {"coefficients", StoreKind::kCoefficients}});
   section.read("percent_kept", store.percent_kept, {1e-6, 100.0});
+  read_compression(section, store.compression);
 }
 
 void read_log_odds(ConfigSection section, LogOddsModel& model) {
@@ -80,6 +81,12 @@ void SlamConfig::check() const {
   }
   if (proposal == Proposal::kScanMatched && likelihood.model == ScanModel::kBeam) {
     throw InputError("likelihood model 'beam' weighs poses drawn from the motion: it needs proposal 'motion'");
+  }
+  if (store.kind == StoreKind::kCoefficients && !store.compression.is_papers_choice()) {
+    const GridFrame frame = *map_frame();
+    if (const auto trouble = trouble_of(store.compression, store.percent_kept, frame.width, frame.height)) {
+      throw InputError("store: " + trouble->key + ": " + trouble->message);
+    }
   }
   if (log_odds.clamped && (log_odds.min >= 0.0F || log_odds.max <= 0.0F)) {
     throw InputError("log_odds: min must be below 0 and max above 0");

@@ -5,11 +5,16 @@
 namespace cogslam {
 namespace {
 
-std::variant<DenseMap, CoefficientMap> make(const StoreConfig& config, double cell_size,
-                                            const std::optional<GridFrame>& area, std::shared_ptr<MemoryMeter> meter) {
+std::variant<DenseMap, CoefficientMap, MeasuredMap> make(const StoreConfig& config, double cell_size,
+                                                         const std::optional<GridFrame>& area,
+                                                         std::shared_ptr<MemoryMeter> meter) {
   if (config.kind == StoreKind::kDense) return DenseMap(cell_size, area, std::move(meter));
   EXPECTS(area.has_value());
-  return CoefficientMap(*area, config.percent_kept, std::move(meter));
+  if (config.compression.is_papers_choice()) return CoefficientMap(*area, config.percent_kept, std::move(meter));
+  EXPECTS(!trouble_of(config.compression, config.percent_kept, area->width, area->height));
+  return MeasuredMap(
+      std::make_shared<const MeasuringPlan>(MeasuringPlan{*area, config.percent_kept, config.compression}),
+      std::move(meter));
 }
 
 }  // namespace
@@ -21,16 +26,20 @@ MapStore::MapStore(const StoreConfig& config, double cell_size, const std::optio
 void MapStore::load(const CellWindow& window, MapScratch& scratch) const {
   if (const auto* dense = std::get_if<DenseMap>(&map_)) {
     dense->load(window, scratch.log_odds);
+  } else if (const auto* coefficients = std::get_if<CoefficientMap>(&map_)) {
+    coefficients->load(scratch.log_odds, scratch.coefficients);
   } else {
-    std::get<CoefficientMap>(map_).load(scratch.log_odds, scratch.coefficients);
+    std::get<MeasuredMap>(map_).load(scratch.log_odds, scratch.measured);
   }
 }
 
 void MapStore::commit(const CellWindow& changed, MapScratch& scratch) {
   if (auto* dense = std::get_if<DenseMap>(&map_)) {
     dense->commit(scratch.log_odds, changed);
+  } else if (auto* coefficients = std::get_if<CoefficientMap>(&map_)) {
+    coefficients->commit(scratch.log_odds, scratch.coefficients);
   } else {
-    std::get<CoefficientMap>(map_).commit(scratch.log_odds, scratch.coefficients);
+    std::get<MeasuredMap>(map_).commit(scratch.log_odds, scratch.measured);
   }
 }
 
