@@ -33,6 +33,7 @@ Why why(const KalmanCs& /*any*/, const MapView& a) { return ask_small(a); }
 Why why(const KalmanCsP& /*any*/, const MapView& a) { return ask_small(a); }
 Why why(const TotalVariation& tv, const MapView& a) {
   if (!a.is_selection()) return "tv recovers a map from some of its cells; this matrix mixes cells";
+  if (!a.orthonormal_rows()) return "tv takes each known cell once; this selection repeats a cell";
   if (a.rows() == 0) return "tv needs at least one known cell";
   if (tv.width * tv.height == a.cols() && tv.width > 0) return std::nullopt;
   return "tv is set up for a map of " + std::to_string(tv.width) + " x " + std::to_string(tv.height) +

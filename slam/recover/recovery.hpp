@@ -21,16 +21,16 @@ namespace cogslam {
 
 /// Every way from measurements y = A x back to x, on one page.
 ///
-/// | name             | asks of A             | cost                        | finds |
-/// |------------------|-----------------------|-----------------------------|-------------------------------------------|
-/// | pinv             | m n <= 16 million     | m^2 n                       | least norm (sec. 4.1) | | fast_l2 |
-/// orthonormal rows      | one product with A'         | the same (sec. 5.2)                       | | nesta |
-/// orthonormal rows      | hundreds of products        | least l1 norm (sec. 4.2)                  | | csekf | n <=
-/// 4096             | tau n^2                     | towards least l1 norm (Alg. 5)            | | csekf_p_printed  | n
-/// <= 4096             | tau n^2                     | towards least quasi-norm (Alg. 6, as printed) | |
-/// csekf_p_gradient | n <= 4096             | tau n^2                     | the same with the true derivative         |
-/// | csekf_p_power    | n <= 4096             | tau n^2                     | towards least sum of p-th powers | | tv
-/// | selection of cells    | hundreds of passes over map | least total variation                     |
+/// | name             | asks of A        | cost                        | finds                                      |
+/// |------------------|------------------|-----------------------------|--------------------------------------------|
+/// | pinv             | m n <= 2^24      | m^2 n                       | least norm (sec. 4.1)                      |
+/// | fast_l2          | orthonormal rows | one product with A'         | the same (sec. 5.2)                        |
+/// | nesta            | orthonormal rows | hundreds of products        | least l1 norm (sec. 4.2)                   |
+/// | csekf            | n <= 4096        | tau n^2                     | towards least l1 norm (Alg. 5)             |
+/// | csekf_p_printed  | n <= 4096        | tau n^2                     | towards least quasi-norm (Alg. 6 as printed) |
+/// | csekf_p_gradient | n <= 4096        | tau n^2                     | the same with the true derivative          |
+/// | csekf_p_power    | n <= 4096        | tau n^2                     | towards least sum of p-th powers           |
+/// | tv               | distinct cells   | hundreds of passes over map | least total variation                      |
 using Recovery = std::variant<PseudoInverse, FastL2, Nesta, KalmanCs, KalmanCsP, TotalVariation>;
 
 /// Names for scenario files and the command line, in the order of the table.

@@ -179,7 +179,7 @@ double total_variation(std::span<const double> map, std::size_t width) {
 
 Recovered recover(const TotalVariation& tv, const MapView& a, std::span<const double> y) {
   EXPECTS(y.size() == a.rows() && !y.empty());
-  EXPECTS(a.is_selection());
+  EXPECTS(a.is_selection() && a.orthonormal_rows());
   EXPECTS(tv.width > 0 && tv.width * tv.height == a.cols());
   EXPECTS(tv.stop_at_gap > 0.0 && tv.max_iterations >= 0);
   Recovered result = Run(tv, a, y).solve();

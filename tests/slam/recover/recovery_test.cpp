@@ -103,6 +103,9 @@ TEST(Recovery, SaysWhatIsTooLargeOrOfAnotherShape) {
   EXPECT_EQ(why_not(TotalVariation{2, 2}, picking),
             "tv is set up for a map of 2 x 2 cells, but the matrix has 6 columns");
   EXPECT_FALSE(why_not(TotalVariation{3, 2}, picking).has_value());
+  const std::vector<std::size_t> repeated = {2, 2};
+  MatrixMap twice = selection_of(repeated, 6);
+  EXPECT_EQ(why_not(TotalVariation{3, 2}, twice), "tv takes each known cell once; this selection repeats a cell");
 }
 
 }  // namespace
