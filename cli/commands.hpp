@@ -15,5 +15,6 @@ struct Command {
 Command run_command(CLI::App& program);
 Command replay_command(CLI::App& program);
 Command validate_command(CLI::App& program);
+Command lab_command(CLI::App& program);
 
 }  // namespace cogslam

@@ -45,12 +45,16 @@ LabFigure figure_mse_by_percent(const SignalStudy& study, const std::vector<Sign
   std::vector<Series> series = curves(study, scores, false, 1.0);
   std::erase_if(series, [](const Series& s) { return s.name.find("pinv") != std::string::npos; });
   const ChartAxis x{.label = "% of the data", .min = 0.0, .max = 100.0};
-  figure.sheet.charts = {
-      {.title = "(a) as the paper: linear", .x = x, .y = {.label = "MSE", .min = 0.0, .max = 8.0}, .series = series},
-      {.title = "(b) logarithmic",
-       .x = x,
-       .y = {.label = "MSE", .log = true, .min = 1e-9, .max = 1e3},
-       .series = series}};
+  Chart linear;
+  linear.title = "(a) as the paper: linear";
+  linear.x = x;
+  linear.y = {.label = "MSE", .min = 0.0, .max = 8.0};
+  linear.series = series;
+  Chart logarithmic = linear;
+  logarithmic.title = "(b) logarithmic";
+  logarithmic.y = {.label = "MSE", .log = true, .min = 1e-9, .max = 1e3};
+  figure.sheet.charts.push_back(linear);
+  figure.sheet.charts.push_back(logarithmic);
   return figure;
 }
 

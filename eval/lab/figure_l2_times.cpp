@@ -83,9 +83,16 @@ LabFigure figure_l2_times(const LabProgress& progress) {
                                       "fast l2",
                                       kRuns, series[0].y.back() / series[2].y.back())};
   const ChartAxis x{.label = "% of the data", .min = 0.0, .max = 100.0};
-  figure.sheet.charts = {
-      {.title = "(a) as the paper: linear", .x = x, .y = {.label = "CPU time [ms]", .min = 0.0}, .series = series},
-      {.title = "(b) logarithmic", .x = x, .y = {.label = "CPU time [ms]", .log = true}, .series = series}};
+  Chart linear;
+  linear.title = "(a) as the paper: linear";
+  linear.x = x;
+  linear.y = {.label = "CPU time [ms]", .min = 0.0};
+  linear.series = series;
+  Chart logarithmic = linear;
+  logarithmic.title = "(b) logarithmic";
+  logarithmic.y = {.label = "CPU time [ms]", .log = true};
+  figure.sheet.charts.push_back(linear);
+  figure.sheet.charts.push_back(logarithmic);
   figure.sheet.columns = 2;
   return figure;
 }
