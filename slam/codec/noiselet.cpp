@@ -1,5 +1,6 @@
 #include "slam/codec/noiselet.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -8,14 +9,18 @@
 namespace cogslam {
 namespace {
 
-/// work <- work times [1 i; i 1] for each bit: entry (j, k) of the product is i^d(j,k).
-void turn_by_distance(std::span<std::complex<double>> work) {
-  for (std::size_t h = 1; h < work.size(); h *= 2) {
-    for (std::size_t group = 0; group < work.size(); group += 2 * h) {
-      for (std::size_t i = group; i < group + h; ++i) {
-        const std::complex<double> a = work[i], b = work[i + h];
-        work[i] = {a.real() - b.imag(), a.imag() + b.real()};
-        work[i + h] = {b.real() - a.imag(), b.imag() + a.real()};
+/// x <- x times [1 i; i 1] for each bit: entry (j, k) of the product is i^d(j,k). Parts apart, for vector units.
+void turn_by_distance(std::span<double> real, std::span<double> imaginary) {
+  for (std::size_t h = 1; h < real.size(); h *= 2) {
+    for (std::size_t group = 0; group < real.size(); group += 2 * h) {
+      double* __restrict a_re = real.data() + group, * __restrict a_im = imaginary.data() + group;
+      double* __restrict b_re = a_re + h, * __restrict b_im = a_im + h;
+      for (std::size_t i = 0; i < h; ++i) {
+        const double re = a_re[i] - b_im[i], im = a_im[i] + b_re[i];
+        b_re[i] -= a_im[i];
+        b_im[i] += a_re[i];
+        a_re[i] = re;
+        a_im[i] = im;
       }
     }
   }
@@ -23,21 +28,22 @@ void turn_by_distance(std::span<std::complex<double>> work) {
 
 }  // namespace
 
-Noiselets::Noiselets(std::size_t length) : work_(length) { EXPECTS(std::has_single_bit(length)); }
+Noiselets::Noiselets(std::size_t length) : real_(length), imaginary_(length) { EXPECTS(std::has_single_bit(length)); }
 
 void Noiselets::forward(std::span<const double> values, std::span<double> out) {
   EXPECTS(values.size() == length() && out.size() == length());
   const std::size_t n = length();
-  for (std::size_t k = 0; k < n; ++k) work_[k] = values[k];
-  turn_by_distance(work_);
+  std::copy(values.begin(), values.end(), real_.begin());
+  std::fill(imaginary_.begin(), imaginary_.end(), 0.0);
+  turn_by_distance(real_, imaginary_);
   if (n == 1) {
     out[0] = values[0];
     return;
   }
   const double scale = 1.0 / std::sqrt(static_cast<double>(n));
   for (std::size_t j = 0; j < n / 2; ++j) {  // sqrt2 e^(i pi/4) = 1 + i
-    out[j] = scale * (work_[j].real() - work_[j].imag());
-    out[n - 1 - j] = scale * (work_[j].real() + work_[j].imag());
+    out[j] = scale * (real_[j] - imaginary_[j]);
+    out[n - 1 - j] = scale * (real_[j] + imaginary_[j]);
   }
 }
 
@@ -50,12 +56,13 @@ void Noiselets::inverse(std::span<const double> coefficients, std::span<double> 
   }
   // sum_j a_j Re(u_j) + b_j Im(u_j) = Re(sum_j (a_j - i b_j) u_j), and the matrix of the u_j is symmetric.
   for (std::size_t j = 0; j < n / 2; ++j) {
-    work_[j] = {coefficients[j], -coefficients[n - 1 - j]};
-    work_[n - 1 - j] = 0.0;
+    real_[j] = coefficients[j];
+    imaginary_[j] = -coefficients[n - 1 - j];
+    real_[n - 1 - j] = imaginary_[n - 1 - j] = 0.0;
   }
-  turn_by_distance(work_);
+  turn_by_distance(real_, imaginary_);
   const double scale = 1.0 / std::sqrt(static_cast<double>(n));
-  for (std::size_t k = 0; k < n; ++k) out[k] = scale * (work_[k].real() - work_[k].imag());
+  for (std::size_t k = 0; k < n; ++k) out[k] = scale * (real_[k] - imaginary_[k]);
 }
 
 }  // namespace cogslam

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -19,12 +18,12 @@ class Noiselets {
  public:
   explicit Noiselets(std::size_t length);  ///< a power of two
 
-  [[nodiscard]] std::size_t length() const { return work_.size(); }
+  [[nodiscard]] std::size_t length() const { return real_.size(); }
   void forward(std::span<const double> values, std::span<double> out);
   void inverse(std::span<const double> coefficients, std::span<double> out);  ///< the transpose
 
  private:
-  std::vector<std::complex<double>> work_;
+  std::vector<double> real_, imaginary_;
 };
 
 }  // namespace cogslam
