@@ -47,8 +47,7 @@ LabFigure figure_mse_by_p(const FigureConfig& config, Workers& workers, const La
 
   LabFigure figure{.csv = "method,p,percent,seeds,mse_mean,mse_low95,mse_high95\n",
                    .sheet = {.heading = "Figure 6: CSEKF-p over p, at 75 % of the data",
-                             .note = fmt::format("mean over {} seeds with 95 % interval; errors above 1e4 are cut off",
-                                                 config.seeds)}};
+                             .note = fmt::format("mean of {} seeds, 95 % band; cut off above 1e4", config.seeds)}};
   Chart chart{.x = {.label = "p", .min = 0.0, .max = 1.0}, .y = {.label = "MSE", .log = true, .min = 1e-5, .max = 1e4}};
   for (std::size_t r = 0; r < std::size(kReadings); ++r) {
     chart.series.push_back(series_of(study.methods[r * p.size()].label, p, &scores[r * p.size()]));

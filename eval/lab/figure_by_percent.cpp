@@ -68,8 +68,7 @@ LabFigure figure_time_by_percent(const SignalStudy& study, const std::vector<Sig
   LabFigure figure{
       .csv = signal_times_csv(study, scores),
       .sheet = {.heading = "Figure 8: CPU time of each recovery over the data kept",
-                .note = fmt::format("1 = l2 by pinv at 100 %, {:.3g} ms here; mean over {} seeds, 95 % band",
-                                    1e3 * unit, study.seeds)}};
+                .note = fmt::format("1 is {:.3g} ms here; mean of {} seeds, 95 % band", 1e3 * unit, study.seeds)}};
   figure.sheet.charts = {{.x = {.label = "% of the data", .min = 0.0, .max = 100.0},
                           .y = {.label = "CPU time / that of l2 by pinv at 100 %", .log = true},
                           .series = curves(study, scores, true, unit)}};

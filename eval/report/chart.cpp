@@ -1,14 +1,10 @@
 #include "eval/report/chart.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "core/check.hpp"
-#include "eval/report/chart_marker.hpp"
 #include "eval/report/chart_pen.hpp"
 #include "eval/report/chart_plot.hpp"
-#include "eval/report/palette.hpp"
 
 namespace cogslam {
 namespace {
@@ -23,9 +19,9 @@ int rows_of(const ChartSheet& sheet) {
 int note_height(const ChartSheet& sheet) { return sheet.note.empty() ? 0 : kHeading; }
 
 int chart_height(const ChartSheet& sheet) {
-  std::size_t entries = 0;
-  for (const Chart& chart : sheet.charts) entries = std::max(entries, legend_entries(chart));
-  return kChartHeight + static_cast<int>(legend_rows(entries)) * kLegendRow;
+  std::size_t rows = 0;
+  for (const Chart& chart : sheet.charts) rows = std::max(rows, legend_rows(chart));
+  return kChartHeight + static_cast<int>(rows) * kLegendRow;
 }
 
 std::string drawn(const ChartSheet& sheet, ChartPen& pen) {

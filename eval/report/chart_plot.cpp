@@ -13,7 +13,7 @@ namespace cogslam {
 namespace {
 
 constexpr int kLeft = 100, kRight = 24, kTop = 56, kBottom = 64;
-constexpr int kLegendColumns = 2;
+constexpr std::size_t kShortName = 26;  // letters of names that fit two to a row
 
 /// The field within the axes, and where values fall in it.
 struct Plot {
@@ -121,13 +121,19 @@ void draw_series(ChartPen& pen, const Plot& plot, const Series& s, int look) {
 
 int look_of(const Chart& chart, std::size_t i) { return chart.series[i].look.value_or(static_cast<int>(i) % kLooks); }
 
+std::size_t legend_columns(const Chart& chart) {
+  const bool brief = std::ranges::all_of(chart.series, [](const Series& s) { return s.name.size() <= kShortName; });
+  return brief ? 2 : 1;
+}
+
 void draw_legend(ChartPen& pen, const Chart& chart, const Eigen::Vector2d& corner) {
   std::size_t place = 0;
+  const std::size_t columns = legend_columns(chart);
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Series& s = chart.series[i];
     if (s.name.empty()) continue;
-    const double x = corner.x() + static_cast<double>(place % kLegendColumns) * (kChartWidth - 60.0) / kLegendColumns;
-    const double y = corner.y() + static_cast<double>(place / kLegendColumns) * kLegendRow;
+    const double x = corner.x() + static_cast<double>(place % columns) * (kChartWidth - 10.0) / 2.0;
+    const double y = corner.y() + static_cast<double>(place / columns) * kLegendRow;
     const Points sample{{x, y}, {x + 30.0, y}};
     if (s.style != SeriesStyle::kPointsOnly) pen.line(sample, 2.0, look_colour(look_of(chart, i)));
     if (s.style == SeriesStyle::kLine || s.style == SeriesStyle::kPointsOnly) {
@@ -140,12 +146,11 @@ void draw_legend(ChartPen& pen, const Chart& chart, const Eigen::Vector2d& corne
 
 }  // namespace
 
-std::size_t legend_entries(const Chart& chart) {
-  return static_cast<std::size_t>(
+std::size_t legend_rows(const Chart& chart) {
+  const auto entries = static_cast<std::size_t>(
       std::count_if(chart.series.begin(), chart.series.end(), [](const Series& s) { return !s.name.empty(); }));
+  return (entries + legend_columns(chart) - 1) / legend_columns(chart);
 }
-
-std::size_t legend_rows(std::size_t entries) { return (entries + kLegendColumns - 1) / kLegendColumns; }
 
 void draw_chart(ChartPen& pen, const Chart& chart, const Eigen::Vector2d& corner) {
   const Eigen::Vector2d field = corner + Eigen::Vector2d(kLeft, kTop);
@@ -165,7 +170,7 @@ void draw_chart(ChartPen& pen, const Chart& chart, const Eigen::Vector2d& corner
     draw_band(pen, plot, chart.series[i], look_colour(look_of(chart, i)));
   }
   for (std::size_t i = 0; i < chart.series.size(); ++i) draw_series(pen, plot, chart.series[i], look_of(chart, i));
-  draw_legend(pen, chart, {corner.x() + 40.0, corner.y() + kChartHeight});
+  draw_legend(pen, chart, {corner.x() + 10.0, corner.y() + kChartHeight});
 }
 
 }  // namespace cogslam

@@ -39,7 +39,8 @@ void ChartScale::make_linear(const ChartAxis& axis, const std::vector<double>& s
   if (!axis.min) min_ = step * std::floor(min_ / step + 1e-9);
   if (!axis.max) max_ = step * std::ceil(max_ / step - 1e-9);
   for (double k = std::ceil(min_ / step - 1e-9); k * step <= max_ + 1e-9 * step; k += 1.0) {
-    ticks_.push_back({k * step, fmt::format("{:.6g}", k * step)});
+    const double value = k * step + 0.0;  // never -0
+    ticks_.push_back({value, fmt::format("{:.6g}", value)});
   }
 }
 
