@@ -24,7 +24,7 @@ void add_statistics(const FilterStatistics& statistics, Scores& scores) {
 
 /// What the kept coefficients take when a bit per possible position says which they are, in place of 4 bytes for each.
 std::optional<double> bitmap_payload(const SlamConfig& slam, double payload_bytes) {
-  if (slam.store.kind != StoreKind::kCoefficients) return std::nullopt;
+  if (slam.store.kind != StoreKind::kCoefficients || !slam.store.compression.is_papers_choice()) return std::nullopt;
   const GridFrame frame = *slam.map_frame();
   const std::size_t positions = HaarCanvas::covering(frame.width, frame.height).support();
   return payload_bytes / 2.0 + static_cast<double>((positions + 7) / 8);

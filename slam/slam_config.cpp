@@ -1,7 +1,9 @@
 #include "slam/slam_config.hpp"
 
-#include "core/check.hpp"
+#include <algorithm>
+#include <cmath>
 
+#include "core/check.hpp"
 #include "core/number_text.hpp"
 
 namespace cogslam {
@@ -67,6 +69,18 @@ void read_matcher(ConfigSection section, ScanMatcherConfig& matcher) {
   section.read("coarse_steps_max", matcher.coarse_steps_max, {0, 100});
 }
 
+constexpr double kLongestSide = 32768.0;  // cells: what the transforms take, and 4 GB of floats
+constexpr double kFinestShare = 100.0;
+
+void check_size(const Rectangle& area, double cell_size) {
+  const Eigen::Vector2d cells = (area.max - area.min) / cell_size;
+  const double farthest = std::max(area.min.cwiseAbs().maxCoeff(), area.max.cwiseAbs().maxCoeff()) / cell_size;
+  if (cells.maxCoeff() > kLongestSide || farthest > 1e9) {
+    throw InputError("map area of " + number_text(std::ceil(cells.x())) + " x " + number_text(std::ceil(cells.y())) +
+                     " cells, expected at most 32768 along a side and no corner beyond 10^9 cells");
+  }
+}
+
 }  // namespace
 
 std::optional<GridFrame> SlamConfig::map_frame() const {
@@ -77,10 +91,13 @@ std::optional<GridFrame> SlamConfig::map_frame() const {
 void SlamConfig::check() const {
   EXPECTS(particles > 0 && cell_size > 0.0);
   if (store.kind == StoreKind::kCoefficients && !area) {
-    throw InputError("store 'coefficients' transforms the whole map: it needs a stated map area");
+    throw InputError(
+        "store 'coefficients' transforms the whole map: it needs a stated map area (map.area_m, or --area)");
   }
-  if (proposal == Proposal::kScanMatched && likelihood.model == ScanModel::kBeam) {
-    throw InputError("likelihood model 'beam' weighs poses drawn from the motion: it needs proposal 'motion'");
+  if (area) check_size(*area, cell_size);
+  if (cell_size / likelihood.field.finest_sample > kFinestShare) {
+    throw InputError("likelihood: field_sample_m must be at least a hundredth of the cell size of " +
+                     number_text(cell_size) + " m");
   }
   if (store.kind == StoreKind::kCoefficients && !store.compression.is_papers_choice()) {
     const GridFrame frame = *map_frame();

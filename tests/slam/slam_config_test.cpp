@@ -106,7 +106,7 @@ TEST(SlamConfig, RefusesPartsThatContradictEachOther) {
   SlamConfig config;
   config.store.kind = StoreKind::kCoefficients;
   EXPECT_EQ(error_text([&] { config.check(); }),
-            "store 'coefficients' transforms the whole map: it needs a stated map area");
+            "store 'coefficients' transforms the whole map: it needs a stated map area (map.area_m, or --area)");
   config.area = Rectangle{{0.0, 0.0}, {3.0, 2.0}};
   EXPECT_EQ(error_text([&] { config.check(); }), "no error");
   config.log_odds.min = 0.0F;
