@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSide = 64;
 constexpr double kCellSize = 0.06;  // [m]: the simple room just fits
-constexpr double kGap = 1e-5;       // relative duality gap at which NESTA ends
+constexpr double kGap = 1e-4;       // relative duality gap at which NESTA ends
 
 std::vector<double> haar_coefficients(const Grid<float>& map) {
   Basis basis(BasisKind::kHaar, map.frame().width, map.frame().height);
