@@ -35,7 +35,7 @@ struct Scores {
   std::optional<double> path_mse_vs_baseline_m2;                            ///< online path against the baseline's
   std::optional<double> grid_mse_vs_baseline;                               ///< all cells
   std::optional<std::uint64_t> registered;                                  ///< scans that changed the map
-  std::optional<std::uint64_t> tracked;                                     ///< scans in between: odometry alone moved the pose
+  std::optional<std::uint64_t> tracked;  ///< scans in between: odometry alone moved the pose
   std::optional<std::uint64_t> resamplings;
   std::optional<std::uint64_t> ancestors_100;  ///< distinct ancestors, 100 updates back
   std::optional<double> payload_bytes;         ///< per particle, mean over registered scans
