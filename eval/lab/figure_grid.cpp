@@ -118,9 +118,8 @@ LabFigure figure_grid_recoveries(const FigureConfig& config, Workers& workers, c
       .csv = "scheme,percent,seeds,mse_mean,mse_low95,mse_high95\n",
       .sheet = {.heading = "Figure 10: the grid of figure 9 from Hadamard rows and from its top m",
                 .columns = 2,
-                .note = fmt::format("MSE of log-odds, mean over {} seeds with 95 % interval; top m has no "
-                                    "chance in it, and CS equals l2 there. {} of {} CS recoveries ended at {} "
-                                    "iterations, short of a gap of {}",
+                .note = fmt::format("Mean over {} seeds, 95 % interval; CS of the top m is l2. {} of {} CS runs "
+                                    "ended at {} steps, above a gap of {}",
                                     config.seeds, cut_off.load(), config.seeds * percents.size(), kIterations, kGap)}};
   const ChartAxis x{.label = "% of the data", .min = 0.0, .max = 100.0};
   Chart linear{.title = "(a) as the paper: linear", .x = x, .y = {.label = "MSE of log-odds", .min = 0.0}};
