@@ -15,8 +15,8 @@ set(ALLOW_cli core worlds sim sensors slam eval cli)
 set(HOMES
   "box2d/@^sim/[^/]*\\.cpp$"
   "GL/@^sensors/floor_[^/]*\\.cpp$"
-  "opencv2/@^slam/odometry/[^/]*\\.cpp$"
-  "ceres/@^slam/(odometry|match)/[^/]*\\.cpp$"
+  "opencv2/@^slam/(odometry|mobile_sensing)/[^/]*\\.cpp$"
+  "ceres/@^slam/(odometry|match|mobile_sensing)/[^/]*\\.cpp$"
   "yaml-cpp/@^core/config[^/]*\\.cpp$"
   "zlib\\.h@^(core/text_file|sensors/[a-z_/]*)\\.cpp$"
   "Random123/@^(core/rng|sensors/pixel_noise)\\.cpp$"  # a picture draws a million numbers at once
