@@ -16,5 +16,6 @@ Command run_command(CLI::App& program);
 Command replay_command(CLI::App& program);
 Command validate_command(CLI::App& program);
 Command lab_command(CLI::App& program);
+Command sense_command(CLI::App& program);
 
 }  // namespace cogslam

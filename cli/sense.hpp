@@ -1,0 +1,17 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.hpp"
+
+namespace cogslam {
+
+/// Options that all parts of `sense` share.
+struct SenseOptions {
+  int threads = 0;  ///< filled in with all cores
+  bool quiet = false;
+};
+
+void add_sense_options(CLI::App& parser, SenseOptions& options);
+
+}  // namespace cogslam
