@@ -1,0 +1,212 @@
+#include "slam/mobile_sensing/offset.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "core/check.hpp"
+#include "core/error.hpp"
+#include "slam/mobile_sensing/offset_level.hpp"
+
+namespace cogslam {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Sums over the overlap. Steps are x, y [cells] and a turn about `centre`, in the frame of the second map, its turn
+/// multiplied by `radius` so that all three are in cells.
+struct NormalEquations {
+  Matrix3d gradients = Matrix3d::Zero();  ///< of eq. 10: sum of w J' J
+  Vector3d right = Vector3d::Zero();      ///< sum of w J' r
+  double squares = 0.0;                   ///< sum of w r^2
+  double weight = 0.0;
+};
+
+/// Where the maps overlap, as seen from the second.
+struct Overlap {
+  Vector2d centre = Vector2d::Zero();
+  double radius = 1.0;  ///< root mean square distance from the centre [cells]
+  double weight = 0.0;
+};
+
+/// Poses in cells, between cell centres of the two grids rather than between the bases.
+class Grids {
+ public:
+  Grids(const GridFrame& first, const GridFrame& second)
+      : cell_(first.cell_size),
+        T_first_grid_{first.lattice_min.x + 0.5, first.lattice_min.y + 0.5, 0.0},
+        T_second_grid_{second.lattice_min.x + 0.5, second.lattice_min.y + 0.5, 0.0} {}
+
+  [[nodiscard]] Pose2 to_cells(const Pose2& T) const {
+    return T_first_grid_.inverse() * Pose2{T.x / cell_, T.y / cell_, T.theta} * T_second_grid_;
+  }
+  [[nodiscard]] Pose2 to_metres(const Pose2& T_cells) const {
+    const Pose2 T = T_first_grid_ * T_cells * T_second_grid_.inverse();
+    return {T.x * cell_, T.y * cell_, T.theta};
+  }
+
+ private:
+  double cell_;
+  Pose2 T_first_grid_, T_second_grid_;
+};
+
+class Registration {
+ public:
+  Registration(const PartialMap& first, const PartialMap& second, const OffsetConfig& config)
+      : config_(config), frame_(second.occupancy.frame()) {
+    for (const double sigma : config.blur_cells) levels_.push_back({{first, sigma}, {second, sigma}});
+  }
+
+  [[nodiscard]] Offset run(Pose2 T_cells);
+  [[nodiscard]] const Pose2& motion() const { return T_; }
+
+ private:
+  struct Level {
+    OffsetLevel first, second;
+  };
+  template <class Visit>
+  void for_each_common_cell(const Level& level, const Visit& visit) const;
+  [[nodiscard]] Overlap overlap(const Level& level) const;
+  [[nodiscard]] NormalEquations equations(const Level& level) const;
+  void decide_observable(const Level& level, Offset& out);
+  bool pass(const Level& level);
+  [[nodiscard]] Pose2 step(const Vector3d& delta) const;
+
+  const OffsetConfig& config_;
+  GridFrame frame_;
+  std::vector<Level> levels_;
+  Pose2 T_{};
+  Overlap overlap_;
+  Matrix3d observed_ = Matrix3d::Zero();  ///< columns: the directions that may move; the others are zero
+};
+
+template <class Visit>
+void Registration::for_each_common_cell(const Level& level, const Visit& visit) const {
+  const double c = std::cos(T_.theta), s = std::sin(T_.theta);
+  for (int y = 0; y < frame_.height; ++y) {
+    for (int x = 0; x < frame_.width; ++x) {
+      const OffsetLevel::Sample here = level.second.at_cell({x, y});
+      if (here.weight <= 0.0) continue;
+      OffsetLevel::Sample there = level.first.at({T_.x + c * x - s * y, T_.y + s * x + c * y});
+      if (there.weight <= 0.0) continue;
+      there.gradient = {c * there.gradient.x() + s * there.gradient.y(),
+                        -s * there.gradient.x() + c * there.gradient.y()};
+      visit(Vector2d(x, y), here, there);
+    }
+  }
+}
+
+Overlap Registration::overlap(const Level& level) const {
+  Overlap sum;
+  double squares = 0.0;
+  for_each_common_cell(level, [&](const Vector2d& p, const auto& here, const auto& there) {
+    const double w = here.weight * there.weight;
+    sum.weight += w;
+    sum.centre += w * p;
+    squares += w * p.squaredNorm();
+  });
+  if (sum.weight <= 0.0) return sum;
+  sum.centre /= sum.weight;
+  sum.radius = std::sqrt(std::max(squares / sum.weight - sum.centre.squaredNorm(), 1.0));
+  return sum;
+}
+
+/// The Jacobian is that of the mean of both maps' gradients, which reaches second order (Malis 2004).
+NormalEquations Registration::equations(const Level& level) const {
+  NormalEquations sum;
+  for_each_common_cell(level, [&](const Vector2d& p, const auto& here, const auto& there) {
+    const double w = here.weight * there.weight;
+    const Vector2d g = 0.5 * (here.gradient + there.gradient);
+    const Vector2d arm = (p - overlap_.centre) / overlap_.radius;
+    const Vector3d row(g.x(), g.y(), arm.x() * g.y() - arm.y() * g.x());
+    const double r = there.value - here.value;
+    sum.gradients += w * row * row.transpose();
+    sum.right += (w * r) * row;
+    sum.squares += w * r * r;
+    sum.weight += w;
+  });
+  return sum;
+}
+
+void Registration::decide_observable(const Level& level, Offset& out) {
+  const NormalEquations sums = equations(level);
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(sums.gradients / sums.weight);
+  out.eigenvalues = solver.eigenvalues();
+  out.weakest = solver.eigenvectors().col(0);
+  observed_.setZero();
+  for (int i = 0; i < 3; ++i) {
+    if (out.eigenvalues[i] <= 0.0 || out.eigenvalues[i] < config_.observable_share * out.eigenvalues[2]) continue;
+    observed_.col(out.observed_directions++) = solver.eigenvectors().col(i);
+  }
+}
+
+/// A turn about the overlap's centre, then a shift, both in the frame of the second map.
+Pose2 Registration::step(const Vector3d& delta) const {
+  const double turn = delta.z() / overlap_.radius;
+  const Vector2d moved = overlap_.centre + delta.head<2>() - Pose2{0.0, 0.0, turn} * overlap_.centre;
+  return {moved.x(), moved.y(), turn};
+}
+
+bool Registration::pass(const Level& level) {
+  for (int i = 0; i < config_.iterations; ++i) {
+    const NormalEquations sums = equations(level);
+    const Matrix3d seen = observed_.transpose() * sums.gradients * observed_;
+    const Vector3d delta =
+        -observed_ * seen.completeOrthogonalDecomposition().solve(observed_.transpose() * sums.right);
+    T_ = T_ * step(delta);
+    if (delta.cwiseAbs().maxCoeff() < config_.stop_cells) return true;
+  }
+  return false;
+}
+
+Offset Registration::run(Pose2 T_cells) {
+  T_ = T_cells;
+  Offset out;
+  overlap_ = overlap(levels_.back());
+  out.overlap_cells = overlap_.weight;
+  if (overlap_.weight < config_.least_overlap_cells) return out;
+  decide_observable(levels_[levels_.size() / 2], out);
+  bool rests = out.observed_directions > 0;
+  for (const Level& level : levels_) rests = out.observed_directions > 0 && pass(level);
+  const NormalEquations last = equations(levels_.back());
+  out.overlap_cells = last.weight;
+  out.rms_difference = last.weight > 0.0 ? std::sqrt(last.squares / last.weight) : 0.0;
+  out.estimated = rests && last.weight >= config_.least_overlap_cells;
+  return out;
+}
+
+}  // namespace
+
+std::string OffsetConfig::check() const {
+  if (blur_cells.empty()) return "blur_cells: expected at least one pass";
+  for (const double sigma : blur_cells) {
+    if (!(sigma > 0.0)) return "blur_cells: expected more than 0";
+  }
+  if (iterations < 1) return "iterations: expected at least 1";
+  if (!(stop_cells > 0.0)) return "stop_cells: expected more than 0";
+  if (!(observable_share >= 0.0 && observable_share < 1.0)) return "observable_share: expected 0 or more and less than 1";
+  if (least_overlap_cells < 1) return "least_overlap_cells: expected at least 1";
+  return "";
+}
+
+Offset estimate_offset(const PartialMap& first, const PartialMap& second, const Pose2& prior_T_first_second,
+                       const OffsetConfig& config) {
+  EXPECTS(config.check().empty());
+  EXPECTS(first.occupancy.frame().cell_size == second.occupancy.frame().cell_size);
+  const Grids grids(first.occupancy.frame(), second.occupancy.frame());
+  Registration registration(first, second, config);
+  Offset out = registration.run(grids.to_cells(prior_T_first_second));
+  out.T_first_second = out.estimated ? grids.to_metres(registration.motion()) : prior_T_first_second;
+  return out;
+}
+
+Offset estimate_offset_of_overlap(const PartialMap& first, const PartialMap& second, const Pose2& prior_T_first_second,
+                                  const OffsetConfig& config) {
+  const Offset out = estimate_offset(first, second, prior_T_first_second, config);
+  if (out.overlap_cells >= config.least_overlap_cells) return out;
+  throw InputError("the partial maps share " + std::to_string(std::lround(out.overlap_cells)) +
+                   " cells, expected at least " + std::to_string(config.least_overlap_cells));
+}
+
+}  // namespace cogslam
