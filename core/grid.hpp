@@ -25,6 +25,11 @@ class Grid {
     frame_ = frame;
     values_.assign(frame.size(), value);
   }
+  /// Takes a new shape for a caller that writes every cell: what the cells hold until then is left open.
+  void reshape(const GridFrame& frame) {
+    frame_ = frame;
+    values_.resize(frame.size());
+  }
 
   bool operator==(const Grid&) const = default;
 

@@ -138,6 +138,10 @@ std::string store_name(StoreKind kind) {
       return "dense";
     case StoreKind::kCoefficients:
       return "coefficients";
+    case StoreKind::kTiles:
+      return "tiles";
+    case StoreKind::kLattice:
+      return "lattice";
   }
   return {};
 }

@@ -10,7 +10,12 @@ namespace cogslam {
 namespace {
 
 void read_store(ConfigSection section, StoreConfig& store) {
-  section.read_choice("kind", store.kind, {{"dense", StoreKind::kDense}, {"coefficients", StoreKind::kCoefficients}});
+  section.read_choice("kind", store.kind,
+                      {{"dense", StoreKind::kDense},
+                       {"coefficients", StoreKind::kCoefficients},
+                       {"tiles", StoreKind::kTiles},
+                       {"lattice", StoreKind::kLattice}});
+  section.read("lattice_unit", store.lattice_unit, {1e-3, 10.0});
   section.read("percent_kept", store.percent_kept, {1e-6, 100.0});
   read_compression(section, store.compression);
 }
@@ -69,6 +74,14 @@ void read_matcher(ConfigSection section, ScanMatcherConfig& matcher) {
   section.read("coarse_steps_max", matcher.coarse_steps_max, {0, 100});
 }
 
+/// The place of a value that is off the lattice, where the file states it here; SlamConfig::check finds the others.
+void check_lattice(ConfigSection& section, const SlamConfig& config) {
+  if (!keeps_levels(config.store.kind) || !section.has("log_odds")) return;
+  const auto trouble = lattice_trouble(config.log_odds, config.store.lattice_unit);
+  ConfigSection log_odds = section.section("log_odds");
+  if (trouble && log_odds.has(trouble->key)) log_odds.fail(trouble->key, trouble->key + ": " + trouble->message);
+}
+
 constexpr double kLongestSide = 32768.0;  // cells: what the transforms take, and 4 GB of floats
 constexpr double kFinestShare = 100.0;
 
@@ -105,6 +118,11 @@ void SlamConfig::check() const {
       throw InputError("store: " + trouble->key + ": " + trouble->message);
     }
   }
+  if (keeps_levels(store.kind)) {
+    if (const auto trouble = lattice_trouble(log_odds, store.lattice_unit)) {
+      throw InputError("log_odds: " + trouble->key + ": " + trouble->message);
+    }
+  }
   if (log_odds.clamped && (log_odds.min >= 0.0F || log_odds.max <= 0.0F)) {
     throw InputError("log_odds: min must be below 0 and max above 0");
   }
@@ -126,6 +144,7 @@ void read_slam_config(ConfigSection& section, SlamConfig& config) {
                       {{"motion", Proposal::kMotion}, {"scan_matched", Proposal::kScanMatched}});
   read_store(section.section("store"), config.store);
   read_log_odds(section.section("log_odds"), config.log_odds);
+  check_lattice(section, config);
   read_sweep(section.section("sweep"), config.sweep);
   read_motion(section.section("motion"), config.motion);
   ConfigSection registration = section.section("registration");

@@ -32,12 +32,14 @@ std::size_t offset(const CellWindow& window, Cell c) {
 
 }  // namespace
 
-DenseMap::Block::Block(std::shared_ptr<MemoryMeter> meter, std::size_t cell_count)
-    : counted(std::move(meter), static_cast<std::int64_t>(cell_count * sizeof(float)),
-              shared_block_bytes<Block>() + heap_bytes(cell_count * sizeof(float))),
-      cells(cell_count, 0.0F) {}
+template <class T>
+BlockMap<T>::Block::Block(std::shared_ptr<MemoryMeter> meter, std::size_t cell_count)
+    : counted(std::move(meter), static_cast<std::int64_t>(cell_count * sizeof(T)),
+              shared_block_bytes<Block>() + heap_bytes(cell_count * sizeof(T))),
+      cells(cell_count, T{}) {}
 
-DenseMap::Directory::Directory(std::shared_ptr<MemoryMeter> meter, const CellWindow& window)
+template <class T>
+BlockMap<T>::Directory::Directory(std::shared_ptr<MemoryMeter> meter, const CellWindow& window)
     : counted(
           std::move(meter), 0,
           shared_block_bytes<Directory>() + heap_bytes(static_cast<std::size_t>(window.width()) *
@@ -45,9 +47,13 @@ DenseMap::Directory::Directory(std::shared_ptr<MemoryMeter> meter, const CellWin
       blocks(window),
       entries(static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(window.height())) {}
 
-std::size_t DenseMap::Directory::index(Cell block) const { return offset(blocks, block); }
+template <class T>
+std::size_t BlockMap<T>::Directory::index(Cell block) const {
+  return offset(blocks, block);
+}
 
-DenseMap::DenseMap(double cell_size, std::optional<GridFrame> area, std::shared_ptr<MemoryMeter> meter)
+template <class T>
+BlockMap<T>::BlockMap(double cell_size, std::optional<GridFrame> area, std::shared_ptr<MemoryMeter> meter)
     : cell_size_(cell_size), meter_(std::move(meter)), directory_(std::make_shared<Directory>(meter_, CellWindow{})) {
   if (area) {
     EXPECTS(area->cell_size == cell_size);
@@ -55,21 +61,24 @@ DenseMap::DenseMap(double cell_size, std::optional<GridFrame> area, std::shared_
   }
 }
 
-CellWindow DenseMap::cells_of(Cell block) const {
+template <class T>
+CellWindow BlockMap<T>::cells_of(Cell block) const {
   const Cell low{block.x * kBlock, block.y * kBlock};
   const CellWindow whole{low, {low.x + kBlock - 1, low.y + kBlock - 1}};
   return area_ ? intersection(whole, *area_) : whole;
 }
 
-DenseMap::BlockPtr DenseMap::block_at(Cell block) const {
+template <class T>
+typename BlockMap<T>::BlockPtr BlockMap<T>::block_at(Cell block) const {
   const CellWindow& held = directory_->blocks;
   const bool inside = block.x >= held.min.x && block.x <= held.max.x && block.y >= held.min.y && block.y <= held.max.y;
   return inside ? directory_->entries[directory_->index(block)] : nullptr;
 }
 
-void DenseMap::load(const CellWindow& window, Grid<float>& scratch) const {
+template <class T>
+void BlockMap<T>::load(const CellWindow& window, Grid<T>& scratch) const {
   const CellWindow wanted = area_ ? intersection(window, *area_) : window;
-  scratch.reset(wanted.frame(cell_size_), 0.0F);
+  scratch.reset(wanted.frame(cell_size_), T{});
   for_each_cell(intersection(blocks_of(wanted), directory_->blocks), [&](Cell block) {
     const BlockPtr& held = directory_->entries[directory_->index(block)];
     if (!held) return;
@@ -82,17 +91,19 @@ void DenseMap::load(const CellWindow& window, Grid<float>& scratch) const {
   });
 }
 
-DenseMap::BlockPtr DenseMap::written(Cell block, const Grid<float>& scratch, const CellWindow& changed) const {
+template <class T>
+typename BlockMap<T>::BlockPtr BlockMap<T>::written(Cell block, const Grid<T>& scratch,
+                                                    const CellWindow& changed) const {
   const BlockPtr before = block_at(block);
   const CellWindow cells = cells_of(block);
   const CellWindow part = intersection(cells, changed);
   const CellWindow loaded = window_of(scratch.frame());
   bool same = true;
   for (int y = part.min.y; y <= part.max.y && same; ++y) {
-    const float* fresh = scratch.values().data() + offset(loaded, {part.min.x, y});
+    const T* fresh = scratch.values().data() + offset(loaded, {part.min.x, y});
     const std::size_t at = offset(cells, {part.min.x, y});
     same = before ? std::equal(fresh, fresh + part.width(), before->cells.data() + at)
-                  : std::all_of(fresh, fresh + part.width(), [](float v) { return v == 0.0F; });
+                  : std::all_of(fresh, fresh + part.width(), [](T v) { return v == T{}; });
   }
   if (same) return before;
   auto after = std::make_shared<Block>(
@@ -102,10 +113,12 @@ DenseMap::BlockPtr DenseMap::written(Cell block, const Grid<float>& scratch, con
     std::copy_n(scratch.values().data() + offset(loaded, {part.min.x, y}), part.width(),
                 after->cells.data() + offset(cells, {part.min.x, y}));
   }
-  return after;
+  const bool unknown = std::all_of(after->cells.begin(), after->cells.end(), [](T v) { return v == T{}; });
+  return unknown ? nullptr : BlockPtr(std::move(after));
 }
 
-void DenseMap::commit(const Grid<float>& scratch, const CellWindow& changed) {
+template <class T>
+void BlockMap<T>::commit(const Grid<T>& scratch, const CellWindow& changed) {
   if (changed.empty()) return;
   const CellWindow touched = blocks_of(changed);
   CellWindow held = directory_->blocks;
@@ -119,7 +132,8 @@ void DenseMap::commit(const Grid<float>& scratch, const CellWindow& changed) {
   directory_ = std::move(next);
 }
 
-CellWindow DenseMap::extent() const {
+template <class T>
+CellWindow BlockMap<T>::extent() const {
   CellWindow extent;
   for_each_cell(directory_->blocks, [&](Cell block) {
     if (!directory_->entries[directory_->index(block)]) return;
@@ -130,12 +144,16 @@ CellWindow DenseMap::extent() const {
   return extent;
 }
 
-void DenseMap::add_to(Hash& hash) const {
+template <class T>
+void BlockMap<T>::add_to(Hash& hash) const {
   for_each_cell(directory_->blocks, [&](Cell block) {
     const BlockPtr& held = directory_->entries[directory_->index(block)];
     if (!held) return;
-    hash.add(block.x).add(block.y).add(std::span<const float>(held->cells));
+    hash.add(block.x).add(block.y).add(std::span<const T>(held->cells));
   });
 }
+
+template class BlockMap<float>;
+template class BlockMap<std::int8_t>;
 
 }  // namespace cogslam

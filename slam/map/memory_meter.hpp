@@ -16,12 +16,16 @@ class MemoryMeter {
     payload_.fetch_add(payload, std::memory_order_relaxed);
     total_.fetch_add(total, std::memory_order_relaxed);
   }
+  /// What is there once, however many particles there are, is counted apart.
+  void add_process(std::int64_t bytes) { process_.fetch_add(bytes, std::memory_order_relaxed); }
   [[nodiscard]] std::int64_t payload() const { return payload_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::int64_t total() const { return total_.load(std::memory_order_relaxed); }
+  [[nodiscard]] std::int64_t process() const { return process_.load(std::memory_order_relaxed); }
 
  private:
   std::atomic<std::int64_t> payload_{0};
   std::atomic<std::int64_t> total_{0};
+  std::atomic<std::int64_t> process_{0};
 };
 
 /// What a request of `bytes` takes from the heap: glibc adds an 8-byte header and rounds up to 16, at least 32.

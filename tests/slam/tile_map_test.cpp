@@ -1,0 +1,150 @@
+#include "slam/map/tile_map.hpp"
+
+#include <gmock/gmock.h>
+
+#include "core/rng.hpp"
+#include "slam/map/dense_map.hpp"
+#include "slam/map/lattice.hpp"
+
+namespace cogslam {
+namespace {
+
+constexpr double kCell = 0.1;
+
+/// A map and its plain twin, which see the same commits.
+struct Pair {
+  TileMap tiles;
+  LatticeMap twin;
+};
+
+struct World {
+  std::shared_ptr<MemoryMeter> tile_meter = std::make_shared<MemoryMeter>();
+  std::shared_ptr<MemoryMeter> twin_meter = std::make_shared<MemoryMeter>();
+  std::shared_ptr<TileStore> store = std::make_shared<TileStore>(tile_meter);
+
+  Pair empty(const std::optional<GridFrame>& area = std::nullopt) {
+    return {TileMap(kCell, area, store), LatticeMap(kCell, area, twin_meter)};
+  }
+};
+
+int draw(Rng& rng, int bound) { return static_cast<int>(rng.below(static_cast<std::uint32_t>(bound))); }
+
+/// A scan in small: a room of free cells with walls, a few of them noisy, added to what the maps hold.
+void scan(Pair& pair, Rng& rng, const LatticeModel& model, const CellWindow& limits) {
+  const Cell at{draw(rng, 400) - 200, draw(rng, 400) - 200};
+  const CellWindow room{at, {at.x + 1 + draw(rng, 70), at.y + 1 + draw(rng, 70)}};
+  const CellWindow changed = intersection(room, limits);
+  if (changed.empty()) return;
+  Grid<std::int8_t> scratch, twin_scratch;
+  const CellWindow window = rng.below(2) == 0 ? whole_tiles(changed) : changed.grown(draw(rng, 9));
+  pair.tiles.load(window, scratch);
+  pair.twin.load(window, twin_scratch);
+  ASSERT_EQ(scratch, twin_scratch);
+  const Cell low = scratch.frame().lattice_min;
+  for (int y = changed.min.y; y <= changed.max.y; ++y) {
+    for (int x = changed.min.x; x <= changed.max.x; ++x) {
+      const bool wall = x == room.min.x || x == room.max.x || y == room.min.y || y == room.max.y;
+      if (rng.below(50) == 0) continue;
+      std::int8_t& level = scratch[{x - low.x, y - low.y}];
+      level = model.after(level, wall ? model.hit : model.free);
+    }
+  }
+  pair.tiles.commit(scratch, changed);
+  pair.twin.commit(scratch, changed);
+}
+
+std::uint64_t hash_of(const auto& map) {
+  Hash hash;
+  map.add_to(hash);
+  return hash.value();
+}
+
+void expect_same(const Pair& pair) {
+  EXPECT_EQ(pair.tiles.extent(), pair.twin.extent());
+  EXPECT_EQ(hash_of(pair.tiles), hash_of(pair.twin));
+  Grid<std::int8_t> scratch, twin_scratch;
+  pair.tiles.load(pair.twin.extent().grown(3), scratch);
+  pair.twin.load(pair.twin.extent().grown(3), twin_scratch);
+  EXPECT_EQ(scratch, twin_scratch);
+}
+
+/// Particles in small: maps are scanned into, copied over each other and dropped in random order.
+void drive(const LatticeModel& model, const std::optional<GridFrame>& area, std::uint32_t entity) {
+  Rng rng({.seed = 7, .purpose = Purpose::kWorld, .entity = entity});
+  World world;
+  const CellWindow limits = area ? window_of(*area) : CellWindow{{-100000, -100000}, {100000, 100000}};
+  {
+    std::vector<Pair> pool(5, world.empty(area));
+    for (int step = 0; step < 150; ++step) {
+      const std::size_t a = rng.below(5), b = rng.below(5);
+      switch (rng.below(6)) {
+        case 0:
+          pool[a] = pool[b];
+          break;
+        case 1:
+          if (rng.below(4) == 0) pool[a] = world.empty(area);
+          break;
+        default:
+          scan(pool[a], rng, model, limits);
+      }
+      if (testing::Test::HasFatalFailure()) return;
+    }
+    for (const Pair& pair : pool) expect_same(pair);
+    EXPECT_GT(world.tile_meter->payload(), 0);
+    EXPECT_LT(world.tile_meter->total(), world.twin_meter->total());
+  }
+  EXPECT_EQ(world.tile_meter->payload(), 0);
+  EXPECT_EQ(world.tile_meter->total(), 0);
+}
+
+TEST(TileMap, EqualsItsPlainTwinWhileMapsAreScannedCopiedAndDropped) {
+  for (std::uint32_t round = 0; round < 8; ++round) drive({}, std::nullopt, round);
+}
+
+TEST(TileMap, EqualsItsPlainTwinInsideAnArea) {
+  const GridFrame area{.cell_size = kCell, .lattice_min = {-57, -33}, .width = 201, .height = 187};
+  for (std::uint32_t round = 0; round < 4; ++round) drive({}, area, 100 + round);
+}
+
+TEST(TileMap, EqualsItsPlainTwinOnAFineLattice) {
+  const LatticeModel fine{.unit = 0.05, .hit = 16, .free = -8, .min = -40, .max = 64};
+  for (std::uint32_t round = 0; round < 4; ++round) drive(fine, std::nullopt, 200 + round);
+}
+
+TEST(TileMap, GrowsFarInEveryDirection) {
+  World world;
+  Pair pair = world.empty();
+  Grid<std::int8_t> scratch;
+  for (const Cell far : {Cell{0, 0}, Cell{-1, -1}, Cell{1000000000, 5}, Cell{-1000000000, 7}, Cell{3, 900000000},
+                         Cell{4, -900000000}, Cell{-70, 40}}) {
+    pair.tiles.load({far, far}, scratch);
+    EXPECT_EQ(scratch.values(), std::vector<std::int8_t>{0});
+    scratch[{0, 0}] = 3;
+    pair.tiles.commit(scratch, {far, far});
+    pair.tiles.load({far, far}, scratch);
+    EXPECT_EQ(scratch.values(), std::vector<std::int8_t>{3});
+  }
+  EXPECT_EQ(pair.tiles.extent(), (CellWindow{{-1000000000, -900000000}, {1000000031 - 1000000000 % 32, 900000031}}));
+}
+
+TEST(TileMap, SharesAllTilesOfACopyAndCodesOnlyTheOneThatChanged) {
+  World world;
+  Pair pair = world.empty();
+  Rng rng({.seed = 1, .purpose = Purpose::kWorld});
+  for (int i = 0; i < 20; ++i) scan(pair, rng, {}, {{-300, -300}, {300, 300}});
+  const std::int64_t payload = world.tile_meter->payload(), total = world.tile_meter->total();
+  TileMap copy = pair.tiles;
+  EXPECT_EQ(world.tile_meter->payload(), payload);
+  EXPECT_EQ(world.tile_meter->total(), total);
+  Grid<std::int8_t> scratch;
+  copy.load({{0, 0}, {0, 0}}, scratch);
+  scratch[{0, 0}] = static_cast<std::int8_t>(scratch[{0, 0}] == 8 ? 7 : scratch[{0, 0}] + 1);
+  copy.commit(scratch, {{0, 0}, {0, 0}});
+  EXPECT_LE(world.tile_meter->payload() - payload, 512);
+  EXPECT_GT(world.tile_meter->payload(), payload);
+  EXPECT_NE(hash_of(copy), hash_of(pair.tiles));
+  expect_same(pair);
+}
+
+}  // namespace
+}  // namespace cogslam
