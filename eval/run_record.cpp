@@ -82,6 +82,9 @@ Json variant(const VariantRecord& v) {
           {"store", v.store},
           {"cell_size_m", v.cell_size_m},
           {"percent_kept", or_null(v.percent_kept)},
+          {"basis", or_null(v.basis)},
+          {"compressor", or_null(v.compressor)},
+          {"recovery", or_null(v.recovery)},
           {"particles", v.particles},
           {"scores", scores(v.scores)},
           {"costs", costs(v.costs)}};

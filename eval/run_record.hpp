@@ -61,7 +61,10 @@ struct VariantRecord {
   std::string name;
   std::string store;  ///< dense, coefficients, tiles, ...
   double cell_size_m = 0.0;
-  std::optional<double> percent_kept;  ///< 100 m/n of Haar coefficients; nothing for stores that keep no share
+  std::optional<double> percent_kept;  ///< 100 m/n of coefficients; nothing for stores that keep no share
+  std::optional<std::string> basis;    ///< of kept coefficients, by their names in a scenario; nothing for other stores
+  std::optional<std::string> compressor;
+  std::optional<std::string> recovery;
   int particles = 0;
   Scores scores;
   Costs costs;

@@ -126,7 +126,12 @@ VariantRecord describe(const VariantConfig& variant) {
                        .store = store_name(slam.store.kind),
                        .cell_size_m = slam.cell_size,
                        .particles = variant.true_poses ? 1 : slam.particles};
-  if (slam.store.kind == StoreKind::kCoefficients) record.percent_kept = slam.store.percent_kept;
+  if (slam.store.kind == StoreKind::kCoefficients) {
+    record.percent_kept = slam.store.percent_kept;
+    record.basis = name_of(slam.store.compression.basis);
+    record.compressor = name_of(slam.store.compression.compressor);
+    record.recovery = name_of(slam.store.compression.recovery);
+  }
   return record;
 }
 

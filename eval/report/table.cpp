@@ -38,10 +38,17 @@ std::optional<double> root(const std::optional<double>& mse, double unit = 1.0) 
   return mse ? std::optional(unit * std::sqrt(*mse)) : std::nullopt;
 }
 
+/// What the map is kept as: the store, or the parts of a compression.
+std::string kept_as(const VariantRecord& v) {
+  return v.recovery ? fmt::format("{}/{}/{}", v.basis.value_or("-"), v.compressor.value_or("-"), *v.recovery) : v.store;
+}
+
 Row score_row(const VariantRecord& v) {
   const Scores& s = v.scores;
   return {v.name,
           fmt::format("{}", v.cell_size_m),
+          kept_as(v),
+          v.percent_kept ? fmt::format("{}", *v.percent_kept) : "-",
           figure(root(s.path_mse_m2), 4),
           figure(root(s.heading_mse_rad2, degrees(1.0)), 3),
           figure(root(s.odometry_path_mse_m2), 4),
@@ -73,8 +80,9 @@ void add_relations(const VariantRecord& v, const char* path, const std::optional
 }  // namespace
 
 std::string score_table(const RunRecord& record) {
-  std::vector<Row> rows{{"variant", "cell m", "path RMSE m", "heading RMSE deg", "odometry RMSE m", "grid MSE",
-                         "payload B", "bitmap B", "all-in B", "peak B", "CPU ms/reg", "registered", "resamplings"}};
+  std::vector<Row> rows{{"variant", "cell m", "basis/compressor/recovery", "kept %", "path RMSE m", "heading RMSE deg",
+                         "odometry RMSE m", "grid MSE", "payload B", "bitmap B", "all-in B", "peak B", "CPU ms/reg",
+                         "registered", "resamplings"}};
   for (const VariantRecord& v : record.variants) rows.push_back(score_row(v));
   return aligned(rows);
 }

@@ -32,7 +32,8 @@ TEST(RunRecord, KeepsTheKeysOfSchemaOne) {
   for (const char* key : {"scenario", "seed", "readings_hash", "simulated_s", "variants"})
     EXPECT_TRUE(j.contains(key)) << key;
   const json& v = j["variants"][0];
-  for (const char* key : {"name", "store", "cell_size_m", "percent_kept", "particles", "scores", "costs"}) {
+  for (const char* key : {"name", "store", "cell_size_m", "percent_kept", "basis", "compressor", "recovery",
+                          "particles", "scores", "costs"}) {
     EXPECT_TRUE(v.contains(key)) << key;
   }
   for (const char* key :
@@ -93,7 +94,7 @@ TEST(RunRecord, WritesEveryFigureUnderItsOwnKey) {
 
 TEST(RunRecord, WritesNullForWhatWasNotMeasuredAndZeroForZero) {
   const json v = json::parse(to_json(record_of_one()))["variants"][0];
-  EXPECT_TRUE(v["percent_kept"].is_null());
+  for (const char* key : {"percent_kept", "basis", "compressor", "recovery"}) EXPECT_TRUE(v[key].is_null()) << key;
   EXPECT_TRUE(v["scores"]["grid_mse"].is_null());
   EXPECT_TRUE(v["scores"]["relations"]["online"].is_null());
   EXPECT_TRUE(v["scores"]["relations"]["final"]["global"]["trans_mean_m"].is_null());
@@ -109,6 +110,16 @@ TEST(RunRecord, WritesNullForNumbersThatAreNotFinite) {
   const json scores = json::parse(to_json(record))["variants"][0]["scores"];
   EXPECT_TRUE(scores["grid_mse"].is_null());
   EXPECT_TRUE(scores["ate_rmse_m"].is_null());
+}
+
+TEST(RunRecord, NamesThePartsOfACompression) {
+  RunRecord record = record_of_one();
+  VariantRecord& v = record.variants[0];
+  v.percent_kept = 60.0, v.basis = "haar", v.compressor = "hadamard", v.recovery = "csekf";
+  const json written = json::parse(to_json(record))["variants"][0];
+  EXPECT_EQ(written["basis"], "haar");
+  EXPECT_EQ(written["compressor"], "hadamard");
+  EXPECT_EQ(written["recovery"], "csekf");
 }
 
 TEST(RunRecord, ReportsRelationsInDegrees) {

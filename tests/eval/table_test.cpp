@@ -28,7 +28,14 @@ RunRecord two_variants() {
   og.scores.bytes_peak = 7000;
   og.scores.resamplings = 31;
   og.costs.cpu_ms_per_registered = 12.345;
-  VariantRecord cog{.name = "cog 40 %", .store = "coefficients", .cell_size_m = 1.0, .particles = 100};
+  VariantRecord cog{.name = "cog 40 %",
+                    .store = "coefficients",
+                    .cell_size_m = 1.0,
+                    .percent_kept = 40.0,
+                    .basis = "haar",
+                    .compressor = "top_m",
+                    .recovery = "nesta",
+                    .particles = 100};
   record.variants = {og, cog};
   return record;
 }
@@ -39,9 +46,10 @@ TEST(ScoreTable, ShowsRootsDegreesAndDashes) {
   EXPECT_THAT(rows[0], testing::StartsWith("variant"));
   std::istringstream og(rows[1]);
   const std::vector<std::string> cells{std::istream_iterator<std::string>(og), {}};
-  EXPECT_THAT(cells, testing::ElementsAre("og", "0.1", "0.0200", "0.500", "0.5000", "0.0123", "6560", "-", "-", "7000",
-                                          "12.35", "-", "31"));
+  EXPECT_THAT(cells, testing::ElementsAre("og", "0.1", "dense", "-", "0.0200", "0.500", "0.5000", "0.0123", "6560", "-",
+                                          "-", "7000", "12.35", "-", "31"));
   EXPECT_THAT(rows[2], testing::StartsWith("cog 40 %"));
+  EXPECT_THAT(rows[2], testing::ContainsRegex(" haar/top_m/nesta +40 "));
 }
 
 TEST(ScoreTable, KeepsColumnsAligned) {
