@@ -14,4 +14,7 @@ struct SenseOptions {
 
 void add_sense_options(CLI::App& parser, SenseOptions& options);
 
+// The parts of `cogslam sense`, one file each.
+Command sense_recover_command(CLI::App& sense);
+
 }  // namespace cogslam

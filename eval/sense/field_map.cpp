@@ -1,0 +1,25 @@
+#include "eval/sense/field_map.hpp"
+
+#include "core/error.hpp"
+#include "core/number_text.hpp"
+#include "eval/lab/map_source.hpp"
+
+namespace cogslam {
+
+FieldMap read_field_map(const std::filesystem::path& file) {
+  const Grid<float> grid = file.extension() == ".npy" ? read_npy(file) : read_csv(file);
+  FieldMap map{.name = file.stem().string(),
+               .width = grid.frame().width,
+               .height = grid.frame().height,
+               .cells = {grid.values().begin(), grid.values().end()}};
+  const auto width = static_cast<std::size_t>(map.width);
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    if (map.cells[i] >= 0.0 && map.cells[i] <= 1.0) continue;
+    throw InputError({file.string()}, "row " + std::to_string(i / width + 1) + ", value " +
+                                          std::to_string(i % width + 1) + " is " + number_text(map.cells[i]) +
+                                          ", expected 0 (free) to 1 (occupied)");
+  }
+  return map;
+}
+
+}  // namespace cogslam

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cogslam {
+
+/// A field to be sensed: 0 free, 1 occupied, and what lies between.
+struct FieldMap {
+  std::string name;  ///< the file's, without folder and ending
+  int width = 0, height = 0;
+  std::vector<double> cells;  ///< row-major, the first row of the file first
+};
+
+/// Out of a NumPy file (.npy) or numbers separated by commas, a line per row. Throws InputError, with the place, for a
+/// file that cannot be read or holds no cells, rows of different lengths, or a value outside [0, 1].
+FieldMap read_field_map(const std::filesystem::path& file);
+
+}  // namespace cogslam
