@@ -71,12 +71,13 @@ class Registration {
   [[nodiscard]] NormalEquations equations(const Level& level) const;
   void decide_observable(const Level& level, Offset& out);
   bool pass(const Level& level);
+  [[nodiscard]] Vector3d from_prior() const;
   [[nodiscard]] Pose2 step(const Vector3d& delta) const;
 
   const OffsetConfig& config_;
   GridFrame frame_;
   std::vector<Level> levels_;
-  Pose2 T_{};
+  Pose2 T_{}, prior_{};
   Overlap overlap_;
   Matrix3d observed_ = Matrix3d::Zero();  ///< columns: the directions that may move; the others are zero
 };
@@ -116,11 +117,11 @@ Overlap Registration::overlap(const Level& level) const {
 NormalEquations Registration::equations(const Level& level) const {
   NormalEquations sum;
   for_each_common_cell(level, [&](const Vector2d& p, const auto& here, const auto& there) {
-    const double w = here.weight * there.weight;
+    const double r = there.value - here.value;
+    const double w = here.weight * there.weight / (1.0 + r * r / (config_.outlier * config_.outlier));
     const Vector2d g = 0.5 * (here.gradient + there.gradient);
     const Vector2d arm = (p - overlap_.centre) / overlap_.radius;
     const Vector3d row(g.x(), g.y(), arm.x() * g.y() - arm.y() * g.x());
-    const double r = there.value - here.value;
     sum.gradients += w * row * row.transpose();
     sum.right += (w * r) * row;
     sum.squares += w * r * r;
@@ -148,12 +149,22 @@ Pose2 Registration::step(const Vector3d& delta) const {
   return {moved.x(), moved.y(), turn};
 }
 
+/// The motion from the prior to here, as a step.
+Vector3d Registration::from_prior() const {
+  const Pose2 T = prior_.inverse() * T_;
+  const Vector2d moved = T * overlap_.centre - overlap_.centre;
+  return {moved.x(), moved.y(), T.theta * overlap_.radius};
+}
+
 bool Registration::pass(const Level& level) {
+  const double shift = config_.outlier / config_.prior_sigma_cells;
+  const double turn = config_.outlier / (config_.prior_sigma_turn * overlap_.radius);
+  const Matrix3d prior = Vector3d(shift * shift, shift * shift, turn * turn).asDiagonal();
   for (int i = 0; i < config_.iterations; ++i) {
     const NormalEquations sums = equations(level);
-    const Matrix3d seen = observed_.transpose() * sums.gradients * observed_;
-    const Vector3d delta =
-        -observed_ * seen.completeOrthogonalDecomposition().solve(observed_.transpose() * sums.right);
+    const Matrix3d seen = observed_.transpose() * (sums.gradients + prior) * observed_;
+    const Vector3d pull = observed_.transpose() * (sums.right + prior * from_prior());
+    const Vector3d delta = -observed_ * seen.completeOrthogonalDecomposition().solve(pull);
     T_ = T_ * step(delta);
     if (delta.cwiseAbs().maxCoeff() < config_.stop_cells) return true;
   }
@@ -161,7 +172,7 @@ bool Registration::pass(const Level& level) {
 }
 
 Offset Registration::run(Pose2 T_cells) {
-  T_ = T_cells;
+  T_ = prior_ = T_cells;
   Offset out;
   overlap_ = overlap(levels_.back());
   out.overlap_cells = overlap_.weight;

@@ -14,10 +14,10 @@ namespace {
 
 bool is_known(double occupancy) { return std::abs(occupancy - kUnchanged) > kKnownMargin; }
 
-bool known_nearby(const Grid<double>& occupancy, Cell c) {
+bool is_beside_a_wall(const Grid<double>& occupancy, Cell c) {
   for (int y = std::max(c.y - 1, 0); y <= std::min(c.y + 1, occupancy.frame().height - 1); ++y) {
     for (int x = std::max(c.x - 1, 0); x <= std::min(c.x + 1, occupancy.frame().width - 1); ++x) {
-      if (is_known(occupancy[{x, y}])) return true;
+      if (occupancy[{x, y}] > kUnchanged + kKnownMargin) return true;
     }
   }
   return false;
@@ -48,7 +48,9 @@ PartialMap with_weights(Grid<double> occupancy) {
   Grid<double> weight(occupancy.frame());
   const GridFrame& frame = occupancy.frame();
   for (int y = 0; y < frame.height; ++y) {
-    for (int x = 0; x < frame.width; ++x) weight[{x, y}] = known_nearby(occupancy, {x, y}) ? 1.0 : 0.0;
+    for (int x = 0; x < frame.width; ++x) {
+      weight[{x, y}] = is_known(occupancy[{x, y}]) || is_beside_a_wall(occupancy, {x, y}) ? 1.0 : 0.0;
+    }
   }
   return {std::move(occupancy), std::move(weight)};
 }

@@ -32,8 +32,9 @@ struct PartialMap {
 /// Everything that one sweep says, cell by cell (eqs. 6 to 8).
 PartialMap partial_map(const PartialMapConfig& config, const Scan& scan);
 
-/// A partial map out of these values. A cell counts (weight 1) where it or one of its eight neighbours is more than
-/// `kKnownMargin` off 0.5: the neighbours keep the cells in which free and occupied halves cancel out.
+/// A partial map out of these values. A cell counts (weight 1) where it is more than `kKnownMargin` off 0.5, or where one
+/// of its eight neighbours is occupied by more than that: before a wall lie cells in which free and occupied halves
+/// cancel out. What borders on free cells alone is the edge of the view, which moves with the robot.
 PartialMap with_weights(Grid<double> occupancy);
 inline constexpr double kKnownMargin = 0.1;
 
