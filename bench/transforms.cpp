@@ -9,17 +9,19 @@
 //   10^6 coefficients, ms   selection  stable sort  fast l2
 //   40 % kept                  4.6         145         0.40
 //   10 % kept                  5.0         120         0.30
-//   80 % are zero              0.87         49         0.34
+//   80 % are zero              0.85         48         0.34
+//   one magnitude alone        3.1          15   (two in turn: 5.5 and 19)
 //   CPU us, double          128   4096   64x64  250x154  512x512  249x154  1009  2^18
 //   Walsh-Hadamard         0.20    7.1                                            730
 //     by its matrix         2.1  11600
-//   DCT-II (FFT)            2.0     69      39      898     4570     1740    64
-//     OpenCV               0.80     28      22      385     3590   refuses   refuses
+//   DCT-II (FFT)            1.05    46      36      867     3920     1700    63
+//     OpenCV               0.84     28      21      382     3370   refuses   refuses
 //     by its matrix         2.4  11300      71     2100    40900     2095   302
 // Conclusion: one pass over each level, both directions at once, is 6 to 36 times as fast as rows, then columns, which
 // walk down columns through the cache. Selection costs more than the transform; zeros, which it drops first, are cheap.
-// OpenCV's DCT is 1.3 to 2.5 times as fast as ours where it works, on even sides alone; ours takes any, the primes by
-// way of a longer FFT. The Walsh-Hadamard transform is 5 to 9 times as fast as the DCT of the same data.
+// OpenCV's DCT is 1.2 to 1.7 times as fast as ours on powers of two and 2.3 times on 250 x 154 (factors 7 and 11),
+// where it works: on even sides alone. Ours takes any, the primes by way of a longer FFT. OpenCV has no Walsh-Hadamard
+// transform; ours is 5 to 6 times as fast as our DCT of the same data.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Core>
@@ -119,6 +121,34 @@ void top_m_sort(benchmark::State& state) {
     benchmark::DoNotOptimize(code.values.data());
   }
   report_input(state, count * sizeof(float));
+}
+
+/// The worst for counting: one magnitude, or two in turn.
+std::vector<float> equal_floats(std::int64_t magnitudes) {
+  std::vector<float> values(1'000'000);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const float sign = i % 3 == 0 ? -1.0F : 1.0F;
+    values[i] = sign * (magnitudes == 2 && i % 2 == 0 ? 0.5F : 0.25F);
+  }
+  return values;
+}
+
+void top_m_selection_of_equals(benchmark::State& state) {
+  const std::vector<float> coefficients = equal_floats(state.range(0));
+  CoefficientCode code;
+  TopMScratch scratch;
+  for (auto _ : state) {
+    select_top_m(coefficients, 400'000, code, scratch);
+    benchmark::DoNotOptimize(code.values.data());
+  }
+}
+
+void top_m_sort_of_equals(benchmark::State& state) {
+  const std::vector<float> coefficients = equal_floats(state.range(0));
+  for (auto _ : state) {
+    const CoefficientCode code = slow::sort_and_keep(coefficients, 400'000);
+    benchmark::DoNotOptimize(code.values.data());
+  }
 }
 
 void fast_l2(benchmark::State& state) {
@@ -222,6 +252,8 @@ BENCHMARK(haar_inverse_fused)->Apply(map_sides);
 BENCHMARK(haar_rows_then_columns)->Apply(map_sides);
 BENCHMARK(top_m_selection)->Apply(selections);
 BENCHMARK(top_m_sort)->Apply(selections);
+BENCHMARK(top_m_selection_of_equals)->Arg(1)->Arg(2)->Unit(benchmark::kMicrosecond);
+BENCHMARK(top_m_sort_of_equals)->Arg(1)->Arg(2)->Unit(benchmark::kMicrosecond);
 BENCHMARK(fast_l2)->Apply(selections);
 BENCHMARK(walsh_hadamard_fast)->Arg(128)->Arg(4096)->Arg(1 << 18)->Unit(benchmark::kMicrosecond);
 BENCHMARK(hadamard_by_matrix)->Arg(128)->Arg(4096)->Unit(benchmark::kMicrosecond);

@@ -2,6 +2,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,27 +12,38 @@ namespace cogslam {
 
 /// Orthonormal DCT-II of lines of any length n,
 ///   c_k = s_k sum_j x_j cos(pi (2j+1) k / 2n), s_0 = sqrt(1/n), s_k = sqrt(2/n),
-/// and its inverse, by one complex FFT of length n for two lines at a time (Makhoul 1980).
+/// and its inverse (Makhoul 1980): two lines at a time by one complex FFT of length n, a single line of even length by
+/// one of n/2.
 class DctLines {
  public:
   explicit DctLines(std::size_t length);
 
-  [[nodiscard]] std::size_t length() const { return fft_.length(); }
+  [[nodiscard]] std::size_t length() const { return length_; }
   /// Transforms `count` lines; value j of line i is at i * line_step + j * step, in `in` and `out` alike; in may be
   /// out.
   void forward(const double* in, double* out, std::size_t count, std::size_t line_step, std::size_t step);
   void inverse(const double* in, double* out, std::size_t count, std::size_t line_step, std::size_t step);
 
  private:
-  struct Pair;  // two lines, the parts of complex ones
-  [[nodiscard]] std::size_t shuffled(std::size_t j) const;
-  void forward(const Pair& pair, std::size_t step);
-  void inverse(const Pair& pair, std::size_t step);
+  using Complex = std::complex<double>;
+  using Pair = void (DctLines::*)(const double* a, const double* b, double* to_a, double* to_b);
+  using One = void (DctLines::*)(const double* in, double* out);
 
+  void forward_pair(const double* a, const double* b, double* to_a, double* to_b);
+  void inverse_pair(const double* a, const double* b, double* to_a, double* to_b);
+  void forward_one(const double* in, double* out);
+  void inverse_one(const double* in, double* out);
+  void whole_lines(Pair pair, One one, const double* in, double* out, std::size_t count, std::size_t line_step);
+  void all_lines(Pair pair, One one, const double* in, double* out, std::size_t count, std::size_t line_step,
+                 std::size_t step);
+
+  std::size_t length_;
   Fft fft_;
-  std::vector<std::complex<double>> turn_;  ///< e^(i pi k / 2n)
-  std::vector<double> scale_;               ///< s_k
-  std::vector<std::complex<double>> in_, out_;
+  std::optional<Fft> half_;         ///< of even lengths
+  std::vector<Complex> turn_;       ///< e^(i pi k / 2n) / sqrt(2n), k <= n/2
+  std::vector<Complex> half_turn_;  ///< e^(-2 pi i k / n), k <= n/2
+  std::vector<Complex> in_, out_;
+  std::vector<double> block_;  ///< lines that were not whole, side by side
 };
 
 /// DCT-II of vec(M), or of a signal.

@@ -95,6 +95,18 @@ TEST(TopM, EqualsTheStableSort) {
   }
 }
 
+TEST(TopM, KeepsTheFirstOfManyEqualMagnitudes) {
+  for (const float other : {0.25F, 0.2500001F, 64.0F}) {
+    std::vector<float> coefficients(5000);
+    for (std::size_t i = 0; i < coefficients.size(); ++i) {
+      coefficients[i] = (i % 3 == 0 ? -1.0F : 1.0F) * (i % 2 == 0 ? other : 0.25F);
+    }
+    for (const std::size_t m : {1U, 2499U, 2500U, 2501U, 4999U}) {
+      EXPECT_EQ(top_m(coefficients, m), slow::sort_and_keep(coefficients, m)) << other << ", m " << m;
+    }
+  }
+}
+
 TEST(TopM, TellsNeighbouringFloatsApart) {
   Rng rng = random_stream(2);
   std::vector<float> coefficients;
