@@ -46,10 +46,11 @@ void draw_image(ChartPen& pen, const ChartImage& image, const Eigen::Vector2d& c
   pen.rectangle(left, corner.y(), cell * frame.width, cell * frame.height, shades.of(0.0F));
   for (int y = 0; y < frame.height; ++y) {
     const int row = image.y_down ? y : frame.height - 1 - y;
-    for (int x = 0; x < frame.width; ++x) {
+    for (int x = 0, next = 0; x < frame.width; x = next) {
       const float value = image.values[{x, y}];
+      while (next < frame.width && image.values[{next, y}] == value) ++next;
       if (value == 0.0F) continue;  // already there, and most coefficients are
-      pen.rectangle(left + x * cell, corner.y() + row * cell, cell, cell, shades.of(value));
+      pen.rectangle(left + x * cell, corner.y() + row * cell, (next - x) * cell, cell, shades.of(value));
     }
   }
 }
