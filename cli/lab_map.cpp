@@ -7,6 +7,7 @@
 #include "core/number_text.hpp"
 #include "eval/lab/map_source.hpp"
 #include "eval/lab/map_study.hpp"
+#include "eval/lab/map_table.hpp"
 #include "eval/lab/method.hpp"
 
 namespace cogslam {
@@ -73,8 +74,18 @@ int run(const MapArguments& arguments) {
 Command lab_map_command(CLI::App& lab) {
   auto arguments = std::make_shared<MapArguments>();
   CLI::App* parser = lab.add_subcommand("map", "a map through basis x compressor x recovery, beside plain storage");
-  parser->add_option("MAP", arguments->map, "map of log-odds (.npy or .csv), or a room: simple, cornered, cluttered")
-      ->required();
+  parser->footer(
+      "MAP is one of\n"
+      "  a file .npy: two dimensions, float32 or float64, little-endian, C order, as the folder of a run has them;\n"
+      "  any other file: text, numbers separated by commas, a line per row, all rows of one length;\n"
+      "  simple, cornered, cluttered: the ideal map of that room in cells of --cell-size.\n"
+      "Values are log-odds and must be finite; the first row of a file is the bottom of the map. Anything else ends "
+      "with\n"
+      "exit code 2 and FILE:LINE:COLUMN, what is wrong and what was expected. Combinations that do not exist are rows\n"
+      "that say why. Bytes: values as float32, with the index of top_m as u32, u16 or bitmap; the others need the "
+      "seed\n"
+      "alone, 4 bytes.");
+  parser->add_option("MAP", arguments->map, "map of log-odds: a file, or a room; see below")->required();
   parser->add_option("--cell-size", arguments->cell_size, "of a room [m]")
       ->check(CLI::Range(0.005, 100.0))
       ->capture_default_str();

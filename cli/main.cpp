@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,12 +31,18 @@ int run_parsed(const std::vector<Command>& commands) {
   return kUsageError;
 }
 
-/// The parser would only say that a subcommand is required.
-void reject_unknown_command(const std::vector<Command>& commands, const std::string& word) {
-  if (word.starts_with('-')) return;
+/// The parser would only say that a subcommand is required. `words`: what follows the name of `parser`.
+void reject_unknown_command(const CLI::App& parser, std::span<char* const> words) {
   std::vector<std::string> names;
-  for (const Command& command : commands) names.push_back(command.parser->get_name());
-  if (std::find(names.begin(), names.end(), word) != names.end()) return;
+  for (const CLI::App* command : parser.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  if (names.empty() || words.empty()) return;
+  const std::string word = words.front();
+  if (word.starts_with('-')) return;
+  if (std::find(names.begin(), names.end(), word) != names.end()) {
+    return reject_unknown_command(*parser.get_subcommand(word), words.subspan(1));
+  }
   const std::string near = nearest_name(word, names);
   throw InputError("unknown command '" + word + "'" +
                    (near.empty() ? ", expected one of " + fmt::format("{}", fmt::join(names, ", "))
@@ -51,7 +58,7 @@ int main_program(int argc, char** argv) {
   const std::vector<Command> commands{run_command(program), replay_command(program), validate_command(program),
                                       lab_command(program), sense_command(program)};
   try {
-    if (argc > 1) reject_unknown_command(commands, argv[1]);
+    if (argc > 1) reject_unknown_command(program, {argv + 1, static_cast<std::size_t>(argc - 1)});
     program.parse(argc, argv);
     watch_for_interrupts();
     return run_parsed(commands);

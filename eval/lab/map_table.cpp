@@ -1,6 +1,7 @@
+#include "eval/lab/map_table.hpp"
+
 #include <fmt/format.h>
 
-#include "eval/lab/map_study.hpp"
 #include "eval/lab/yardstick.hpp"
 
 namespace cogslam {

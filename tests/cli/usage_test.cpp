@@ -38,6 +38,8 @@ TEST(Usage, NamesWhatIsMissingOrUnknown) {
   expect_usage_error({}, "A subcommand is required");
   expect_usage_error({"fly"}, "unknown command 'fly', expected one of run, replay, validate");
   expect_usage_error({"relay", "a.log"}, "unknown command 'relay'; did you mean 'replay'?");
+  expect_usage_error({"lab", "sgnal"}, "unknown command 'sgnal'; did you mean 'signal'?");
+  expect_usage_error({"lab", "tables"}, "unknown command 'tables', expected one of signal, map, figures");
   expect_usage_error({"run"}, "SCENARIO is required");
   expect_usage_error({"run", kSimple, "--speed", "3"}, "--speed");
   expect_usage_error({"run", kSimple, "-j", "0"}, "--threads");

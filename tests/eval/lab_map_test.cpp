@@ -4,6 +4,7 @@
 #include "eval/export.hpp"
 #include "eval/lab/map_source.hpp"
 #include "eval/lab/map_study.hpp"
+#include "eval/lab/map_table.hpp"
 #include "tests/support/error_text.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -247,6 +247,36 @@ TEST(Compression, KnowsTheNamesOfAllParts) {
   }
 }
 
+TEST(Compression, RefusesParametersOutOfRange) {
+  const auto error = [](const std::string& text) { return error_text([&] { read_text(text); }); };
+  EXPECT_EQ(error("{recovery: csekf_p_printed, csekf_p: {p: 1}}"),
+            "store.yaml:1:42: p: expected a number in [1e-06, 0.999999], found '1'");
+  EXPECT_EQ(error("{recovery: csekf_p_printed, csekf_p: {p: 0}}"),
+            "store.yaml:1:42: p: expected a number in [1e-06, 0.999999], found '0'");
+  EXPECT_EQ(error("{recovery: csekf_p_power, csekf_p: {floor: 0}}"),
+            "store.yaml:1:44: floor: expected a number above 0, found '0'");
+  EXPECT_EQ(error("{recovery: csekf_p_gradient, csekf_p: {norm_variance: 0}}"),
+            "store.yaml:1:55: norm_variance: expected a number above 0, found '0'");
+  EXPECT_EQ(error("{recovery: csekf, csekf: {measurement_variance: 0}}"),
+            "store.yaml:1:49: measurement_variance: expected a number above 0, found '0'");
+  EXPECT_EQ(error("{recovery: csekf, csekf: {process_variance: -1}}"),
+            "store.yaml:1:45: process_variance: expected a number of at least 0, found '-1'");
+  EXPECT_EQ(error("{recovery: csekf, csekf: {tau: 0}}"),
+            "store.yaml:1:32: tau: expected a whole number in [1, 1e+09], found '0'");
+  EXPECT_EQ(error("{recovery: nesta, nesta: {eps: -1}}"),
+            "store.yaml:1:32: eps: expected a number of at least 0, found '-1'");
+  EXPECT_EQ(error("{recovery: nesta, nesta: {mu_final: 1}}"),
+            "store.yaml:1:37: mu_final: expected a number in [0, 0.9], found '1'");
+  EXPECT_EQ(error("{recovery: nesta, nesta: {continuation: 0}}"),
+            "store.yaml:1:41: continuation: expected a whole number in [1, 1000], found '0'");
+  EXPECT_EQ(error("{recovery: nesta, nesta: {tolerance: 0}}"),
+            "store.yaml:1:38: tolerance: expected a number above 0, found '0'");
+  EXPECT_EQ(error("{recovery: nesta, nesta: {max_iterations: 0}}"),
+            "store.yaml:1:43: max_iterations: expected a whole number in [1, 1e+09], found '0'");
+  EXPECT_EQ(error("{basis: identity, compressor: selection, recovery: tv, tv: {stop_at_gap: 0}}"),
+            "store.yaml:1:74: stop_at_gap: expected a number above 0, found '0'");
+}
+
 TEST(Compression, SaysWhichKeyIsWrongAndWhere) {
   EXPECT_THAT(error_text([] { read_text("{basis: haar, recovery: tv}"); }),
               testing::AllOf(testing::StartsWith("store.yaml:1:"), testing::HasSubstr("'identity'")));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/check.hpp"
+#include "slam/codec/compressor.hpp"
 #include "slam/recover/fast_l2.hpp"
 #include "slam/recover/pinv.hpp"
 #include "tests/support/golden.hpp"
@@ -113,6 +114,38 @@ TEST(L2, MeanErrorOverRandomRowsIsTheShareNotMeasured) {
   for (int i = 0; i < draws; ++i) mean += l2_error(orthogonal_matrix(48, rng).topRows(20), c) / draws;
   const double deviation = energy * std::sqrt(2.0 * m * (n - m) / (n * n * (n + 2.0)) / draws);
   EXPECT_NEAR(mean, (1.0 - m / n) * energy, 4.0 * deviation);
+}
+
+TEST(L2, MeanErrorOverRandomHadamardRowsIsTheSame) {
+  Rng rng = rng_of(350);
+  const std::vector<double> c = normal_vector(64, rng);
+  const double energy = squared_distance(c, std::vector<double>(64, 0.0));
+  const double m = 24.0, n = 64.0;
+  const int draws = 400;
+  double mean = 0.0;
+  for (std::uint32_t seed = 0; seed < draws; ++seed) {
+    Compressor h = make_compressor(CompressorKind::kHadamard, 24, 64, seed);
+    std::vector<double> y(24);
+    h.apply(c, y);
+    mean += squared_distance(recover(FastL2{}, h, y).x, c) / draws;
+  }
+  EXPECT_NEAR(mean, (1.0 - m / n) * energy, 0.02 * energy);
+}
+
+TEST(L2, DependsOnlyOnTheRowSpaceAndScalesWithItsData) {
+  for (std::uint32_t seed = 0; seed < 10; ++seed) {
+    Rng rng = rng_of(360 + seed);
+    const Eigen::MatrixXd H = orthogonal_matrix(20, rng).topRows(8), U = orthogonal_matrix(8, rng);
+    MatrixMap map = map_of(H), turned = map_of(U * H);
+    std::vector<double> y = normal_vector(8, rng);
+    std::vector<double> x = recover(FastL2{}, map, y).x;
+    EXPECT_LE(largest_difference(x, recover(FastL2{}, turned, operator_times(U, y)).x), 1e-13);
+    EXPECT_LE(largest_difference(x, recover(PseudoInverse{}, turned, operator_times(U, y)).x), 1e-13);
+    for (double& v : y) v *= 16.0;
+    for (double& v : x) v *= 16.0;
+    EXPECT_EQ(recover(FastL2{}, map, y).x, x);
+    EXPECT_LE(largest_difference(recover(PseudoInverse{}, map, y).x, x), 1e-12);
+  }
 }
 
 TEST(L2, NoSelectionBeatsTheLargestCoefficients) {
