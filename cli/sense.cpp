@@ -21,7 +21,8 @@ Command sense_command(CLI::App& program) {
   CLI::App* sense = program.add_subcommand("sense", "compressive mobile sensing: maps from a few sampled cells");
   sense->require_subcommand(1);
   auto parts = std::make_shared<std::vector<Command>>();
-  *parts = {sense_recover_command(*sense), sense_figures_command(*sense)};
+  *parts = {sense_recover_command(*sense), sense_offsets_command(*sense), sense_hallway_command(*sense),
+            sense_log_command(*sense), sense_figures_command(*sense)};
   return {sense, [parts] {
             for (const Command& part : *parts) {
               if (part.parser->parsed()) return part.run();

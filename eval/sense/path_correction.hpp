@@ -14,7 +14,7 @@ namespace cogslam {
 struct PathCorrectionConfig {
   PartialMapConfig map{};
   OffsetConfig offset{};
-  int samples = 1024;  ///< cells of each partial map that are measured; the others are recovered
+  int samples = 1536;  ///< cells of each partial map that are measured; the others are recovered
 
   /// What is inconsistent and what was expected; empty if nothing is.
   [[nodiscard]] std::string check() const;

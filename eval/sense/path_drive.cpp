@@ -4,19 +4,21 @@
 #include <cmath>
 
 #include "core/check.hpp"
-#include "sensors/lidar.hpp"
+#include "eval/sense/path_look.hpp"
 
 namespace cogslam {
 namespace {
 
-constexpr double kStride = 0.1;                 // odometry is read every so many metres
-constexpr double kStrideTurn = radians(2.0);    // or turns [rad]
-constexpr Duration kStand{1'000'000'000};       // longer than a sweep takes
+constexpr double kStride = 0.1;               // odometry is read every so many metres
+constexpr double kStrideTurn = radians(2.0);  // or turns [rad]
 
 class Driver {
  public:
   Driver(const World& world, const PathDriveConfig& config, std::uint32_t seed, const Pose2& start)
-      : config_(config), lidar_(config.lidar, world, seed), odometry_(config.odometry, seed), here_{start, start, start.theta, {}} {
+      : config_(config),
+        lidar_(config.lidar, world, seed),
+        odometry_(config.odometry, seed),
+        here_{start, start, start.theta, {}} {
     look();
   }
 
@@ -46,16 +48,8 @@ class Driver {
   }
 
   void look() {
-    PoseTrack still(kStand);
-    const auto index = static_cast<std::uint64_t>(looks.size());
-    for (const Time t : {Time{}, Time{} + kStand}) {
-      Truth truth{};
-      truth.time = t;
-      truth.T_map_base = here_.T_map_base;
-      still.push(truth);
-    }
+    here_.scan = look_from(lidar_, here_.T_map_base, looks.size());
     looks.push_back(here_);
-    looks.back().scan = lidar_.sweep(still, Time{}, index).scan;
   }
 
   const PathDriveConfig& config_;

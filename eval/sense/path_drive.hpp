@@ -13,8 +13,8 @@ namespace cogslam {
 
 /// A robot that drives along straight legs, turns on the spot between them, and stops to look.
 struct PathDriveConfig {
-  double step_m = 4.0;              ///< from one look to the next, at most
-  double step_turn = radians(30.0); ///< on the spot, at most
+  double step_m = 2.0;               ///< from one look to the next, at most; the paper goes up to 4 m
+  double step_turn = radians(30.0);  ///< on the spot, at most
   LidarConfig lidar = LidarConfig::lms200();
   OdometryErrorConfig odometry{};
 
@@ -24,9 +24,9 @@ struct PathDriveConfig {
 
 /// One look.
 struct PathLook {
-  Pose2 T_map_base{};            ///< truth
-  Pose2 T_odom_base{};           ///< by odometry, from the same start
-  double corridor_heading = 0.0; ///< of the leg [rad]
+  Pose2 T_map_base{};             ///< truth
+  Pose2 T_odom_base{};            ///< by odometry, from the same start
+  double corridor_heading = 0.0;  ///< of the leg [rad]
   Scan scan;
 };
 

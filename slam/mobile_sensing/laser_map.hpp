@@ -13,13 +13,13 @@ namespace cogslam {
 
 /// The laser measurement model.
 ///
-/// Between two beams the paper says nothing. Here p(m | z) is known for each point of the plane, so that the mean over a
-/// cell (eq. 8) is an integral over its area: between two beams that end on one surface, the surface is the straight
+/// Between two beams the paper says nothing. Here p(m | z) is known for each point of the plane, so that the mean over
+/// a cell (eq. 8) is an integral over its area: between two beams that end on one surface, the surface is the straight
 /// piece between their ends; elsewhere a beam speaks for the points that are nearest to it in angle.
 struct LaserModel {
-  double p_free = 0.2;        ///< of a point between the scanner and the end of the beam, in (0, 0.5)
-  double p_occupied = 0.9;    ///< of the end point itself, in (0.5, 1)
-  double sigma_m = 0.1;       ///< of the Gaussian about the end point; sigma^2 is the paper's epsilon
+  double p_free = 0.2;      ///< of a point between the scanner and the end of the beam, in (0, 0.5)
+  double p_occupied = 0.9;  ///< of the end point itself, in (0.5, 1)
+  double sigma_m = 0.1;     ///< of the Gaussian about the end point; sigma^2 is the paper's epsilon
   /// Two neighbouring beams end on one surface if the piece between their ends makes at least this angle with them
   /// [rad], up to pi/2. pi/2 keeps the ends apart, as the paper prints it: a wall seen from afar is a row of dots.
   double least_incidence = radians(7.0);

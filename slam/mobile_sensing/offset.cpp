@@ -196,7 +196,8 @@ std::string OffsetConfig::check() const {
   }
   if (iterations < 1) return "iterations: expected at least 1";
   if (!(stop_cells > 0.0)) return "stop_cells: expected more than 0";
-  if (!(observable_share >= 0.0 && observable_share < 1.0)) return "observable_share: expected 0 or more and less than 1";
+  if (!(observable_share >= 0.0 && observable_share < 1.0))
+    return "observable_share: expected 0 or more and less than 1";
   if (least_overlap_cells < 1) return "least_overlap_cells: expected at least 1";
   return "";
 }

@@ -16,7 +16,7 @@ class OffsetLevel {
 
   struct Sample {
     double value = 0.0;
-    double weight = 0.0;                              ///< 0 outside the map
+    double weight = 0.0;                                 ///< 0 outside the map
     Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  ///< [1/cell]
   };
   [[nodiscard]] Sample at_cell(Cell c) const;

@@ -26,10 +26,8 @@ bool is_beside_a_wall(const Grid<double>& occupancy, Cell c) {
 }  // namespace
 
 GridFrame PartialMapConfig::frame() const {
-  return {.cell_size = cell_size_m,
-          .lattice_min = {0, -across_cells / 2},
-          .width = ahead_cells,
-          .height = across_cells};
+  return {
+      .cell_size = cell_size_m, .lattice_min = {0, -across_cells / 2}, .width = ahead_cells, .height = across_cells};
 }
 
 std::string PartialMapConfig::check() const {

@@ -10,8 +10,8 @@ namespace cogslam {
 
 /// The rectangle ahead of the robot that one partial map covers: x from the base forward, y to both sides.
 struct PartialMapConfig {
-  int across_cells = 64;     ///< along y, half to either side
-  int ahead_cells = 32;      ///< along x
+  int across_cells = 64;  ///< along y, half to either side
+  int ahead_cells = 32;   ///< along x
   double cell_size_m = 0.25;
   LaserModel model{.range_max_m = 8.0};
 
@@ -32,8 +32,8 @@ struct PartialMap {
 /// Everything that one sweep says, cell by cell (eqs. 6 to 8).
 PartialMap partial_map(const PartialMapConfig& config, const Scan& scan);
 
-/// A partial map out of these values. A cell counts (weight 1) where it is more than `kKnownMargin` off 0.5, or where one
-/// of its eight neighbours is occupied by more than that: before a wall lie cells in which free and occupied halves
+/// A partial map out of these values. A cell counts (weight 1) where it is more than `kKnownMargin` off 0.5, or where
+/// one of its eight neighbours is occupied by more than that: before a wall lie cells in which free and occupied halves
 /// cancel out. What borders on free cells alone is the edge of the view, which moves with the robot.
 PartialMap with_weights(Grid<double> occupancy);
 inline constexpr double kKnownMargin = 0.1;
