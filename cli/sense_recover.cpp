@@ -43,6 +43,7 @@ int run(const RecoverArguments& arguments) {
   const RecoveryStudy study = study_of(arguments);
   std::vector<FieldMap> maps;
   for (const std::filesystem::path& file : arguments.maps) maps.push_back(read_field_map(file));
+  check(study, maps);
   ProgressLine progress(1, arguments.options.quiet);
   Workers workers(arguments.options.threads);
   const std::string title = fmt::format("{} maps, seeds {} to {}", maps.size(), study.first_seed,

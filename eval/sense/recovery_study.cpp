@@ -13,17 +13,6 @@
 namespace cogslam {
 namespace {
 
-void check(const RecoveryStudy& study, const std::vector<FieldMap>& maps) {
-  EXPECTS(study.seeds >= 1);
-  for (const FieldMap& map : maps) {
-    for (const std::size_t count : study.counts) {
-      if (count == 0) throw InputError("K = 0: expected at least one cell to sense");
-      if (count <= map.cells.size()) continue;
-      throw InputError(fmt::format("K = {} is more than the {} cells of map '{}'", count, map.cells.size(), map.name));
-    }
-  }
-}
-
 std::vector<RecoveryScore> empty_scores(const RecoveryStudy& study, const std::vector<FieldMap>& maps) {
   std::vector<RecoveryScore> scores;
   for (const FieldMap& map : maps) {
@@ -60,6 +49,17 @@ std::vector<double> of_all(const std::vector<RecoveryRun>& runs, Value value) {
 }
 
 }  // namespace
+
+void check(const RecoveryStudy& study, const std::vector<FieldMap>& maps) {
+  EXPECTS(study.seeds >= 1);
+  for (const FieldMap& map : maps) {
+    for (const std::size_t count : study.counts) {
+      if (count == 0) throw InputError("K = 0: expected at least one cell to sense");
+      if (count <= map.cells.size()) continue;
+      throw InputError(fmt::format("K = {} is more than the {} cells of map '{}'", count, map.cells.size(), map.name));
+    }
+  }
+}
 
 std::string_view name_of(CellChoice choice) { return kCellChoiceNames[static_cast<std::size_t>(choice)]; }
 

@@ -69,8 +69,10 @@ struct RecoveryScore {
 /// Senses `count` cells of a map.
 CellSamples sense_map(const FieldMap& map, CellChoice choice, std::size_t count, std::uint32_t seed);
 
-/// In the order map, choice, prior, count. All but times is the same for any number of threads. InputError for a count
-/// of 0 or beyond a map's cells, before anything runs.
+/// InputError for a count of 0 or beyond a map's cells.
+void check(const RecoveryStudy& study, const std::vector<FieldMap>& maps);
+
+/// In the order map, choice, prior, count. All but times is the same for any number of threads. Checks the study first.
 std::vector<RecoveryScore> run_recovery_study(const RecoveryStudy& study, const std::vector<FieldMap>& maps,
                                               Workers& workers, const LabProgress& progress);
 

@@ -1,0 +1,81 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/exit_codes.hpp"
+#include "tests/cli/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace cogslam {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// 16 x 12 cells, a wall down the middle.
+std::string small_field() {
+  std::string text;
+  for (int y = 0; y < 12; ++y) {
+    for (int x = 0; x < 16; ++x) text += std::string(x == 7 ? "1" : "0") + (x < 15 ? "," : "\n");
+  }
+  return text;
+}
+
+TEST(Sense, RecoverPrintsATableCsvOrJson) {
+  const TemporaryFolder folder;
+  const std::string map = folder.file("room.csv", small_field());
+  const std::vector<std::string> common{"sense", "recover", map, "--samples", "30", "60", "--seeds", "2", "--quiet"};
+  const auto with = [&](const std::vector<std::string>& flags) {
+    std::vector<std::string> arguments = common;
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    return run_program(arguments);
+  };
+  const Outcome table = with({}), csv = with({"--csv"}), json = with({"--json"});
+  EXPECT_EQ(table.code, kOk) << table.err;
+  EXPECT_THAT(table.out, StartsWith("1 maps, seeds 1 to 2"));
+  EXPECT_THAT(table.out, HasSubstr("2/2"));
+  EXPECT_THAT(csv.out, StartsWith("map,n,choice,prior,k,seeds,relative_error_mean"));
+  EXPECT_THAT(csv.out, HasSubstr("\nroom,192,random,haar,30,2,"));
+  EXPECT_EQ(nlohmann::json::parse(json.out)["scores"].size(), 6U);
+  EXPECT_EQ(with({"--json", "--csv"}).code, kUsageError);
+}
+
+TEST(Sense, RecoverSaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  const std::string map = folder.file("room.csv", small_field());
+  const auto error = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"sense", "recover"});
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, kUsageError);
+    EXPECT_EQ(outcome.out, "");
+    return outcome.err;
+  };
+  EXPECT_EQ(error({map, "--samples", "193"}), "cogslam: K = 193 is more than the 192 cells of map 'room'\n");
+  EXPECT_EQ(error({map, "--samples", "0"}), "cogslam: K = 0: expected at least one cell to sense\n");
+  EXPECT_EQ(error({map, "--prior", "har"}), "cogslam: unknown prior 'har'; did you mean 'haar'?\n");
+  EXPECT_EQ(error({map, "--cells", "ray"}), "cogslam: unknown choice of cells 'ray'; did you mean 'rays'?\n");
+  EXPECT_EQ(error({map, "--prior", "fourier"}), "cogslam: unknown prior 'fourier', expected one of haar, dct, tv\n");
+  EXPECT_THAT(error({"nowhere.csv"}), StartsWith("cogslam: nowhere.csv: "));
+  const std::string empty = folder.file("empty.csv", "\n");
+  EXPECT_EQ(error({empty}), "cogslam: " + empty + ": no values, expected a row of numbers per line\n");
+  EXPECT_THAT(error({}), HasSubstr("MAP is required"));
+}
+
+TEST(Sense, FiguresWritesFilesAndNamesThoseThereAre) {
+  const TemporaryFolder folder;
+  const std::string map = folder.file("room.csv", small_field()), out = (folder.path() / "figures").string();
+  const Outcome outcome = run_program({"sense", "figures", "5", "--map", map, "--seeds", "2", "--out", out, "--quiet"});
+  EXPECT_EQ(outcome.code, kOk) << outcome.err;
+  EXPECT_EQ(outcome.out, out + "\n");
+  for (const char* name : {"figure_05.csv", "figure_05.svg", "figure_05.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "figures" / name)) << name;
+  }
+  const Outcome unknown = run_program({"sense", "figures", "1"});
+  EXPECT_EQ(unknown.code, kUsageError);
+  EXPECT_THAT(unknown.err, StartsWith("cogslam: no figure 1, expected one of "));
+}
+
+}  // namespace
+}  // namespace cogslam
