@@ -5,15 +5,14 @@
 namespace cogslam {
 namespace {
 
-constexpr int kShortest = 3;  // a shorter run saves nothing and parts the cells around it
 constexpr int kLiterals = 64, kBefore = 64, kAbove = 128;
-constexpr int kLongestBefore = kShortest + 63, kLongestAbove = kShortest + 127;
+constexpr int kLongestBefore = kShortestRun + 63, kLongestAbove = kShortestRun + 127;
 
 class ByteWriter {
  public:
   explicit ByteWriter(std::uint8_t* to) : start_(to), to_(to) {}
   void run(int kind, int length) {
-    *to_++ = static_cast<std::uint8_t>(kind + length - kShortest);
+    *to_++ = static_cast<std::uint8_t>(kind + length - kShortestRun);
     literals_ = nullptr;
   }
   void literal(std::int8_t level) {
@@ -41,7 +40,7 @@ std::size_t encode_bytes(const TileCells& tile, ByteBuffer& code) {
   for (int at = 0; at < kTileCells;) {
     const int above = std::min(repeats.above.run(at), kLongestAbove);
     const int before = std::min(repeats.before.run(at), kLongestBefore);
-    if (std::max(above, before) < kShortest) {
+    if (std::max(above, before) < kShortestRun) {
       out.literal(tile.levels[static_cast<std::size_t>(at++)]);
     } else if (above >= before) {
       out.run(kAbove, above);
@@ -65,11 +64,11 @@ bool decode_bytes(std::span<const std::uint8_t> code, TileCells& tile) {
       if (static_cast<int>(count) > out.left() || count > code.size() - at) return false;
       for (std::size_t i = 0; i < count; ++i) out.put(static_cast<std::int8_t>(code[at++]));
     } else if (control < kAbove) {
-      const int count = control - kBefore + kShortest;
+      const int count = control - kBefore + kShortestRun;
       if (count > out.left()) return false;
       out.repeat_before(count);
     } else {
-      const int count = control - kAbove + kShortest;
+      const int count = control - kAbove + kShortestRun;
       if (count > out.left()) return false;
       out.repeat_above(count);
     }

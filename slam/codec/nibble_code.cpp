@@ -1,5 +1,9 @@
 #include "slam/codec/nibble_code.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
 #include "slam/codec/tile_runs.hpp"
 
 namespace cogslam {
@@ -7,37 +11,33 @@ namespace {
 
 constexpr std::uint32_t kAbove = 14;
 constexpr std::uint32_t kBefore = 15;
-constexpr int kShortest = 3;                        // a shorter run costs no less than its cells
 constexpr int kTwoNibbles = 15, kFourNibbles = 63;  // the first lengths that take so many
 
+/// Writes nibbles, up to 14 at a time; needs 8 spare bytes behind the code.
 class NibbleWriter {
  public:
   explicit NibbleWriter(std::uint8_t* to) : start_(to), to_(to) {}
-  void put(std::uint32_t nibbles, int count) {
-    pending_ |= static_cast<std::uint64_t>(nibbles) << bits_;
+  void put(std::uint64_t nibbles, int count) {
+    pending_ |= nibbles << bits_;
     bits_ += 4 * count;
-    while (bits_ >= 32) {
-      for (int i = 0; i < 4; ++i) *to_++ = static_cast<std::uint8_t>(pending_ >> (8 * i));
-      pending_ >>= 32;
-      bits_ -= 32;
-    }
+    std::memcpy(to_, &pending_, 8);
+    to_ += bits_ / 8;
+    pending_ >>= bits_ / 8 * 8;
+    bits_ %= 8;
   }
-  std::size_t finish() {
-    for (; bits_ > 0; bits_ -= 8, pending_ >>= 8) *to_++ = static_cast<std::uint8_t>(pending_);
-    return static_cast<std::size_t>(to_ - start_);
-  }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(to_ - start_) + (bits_ > 0 ? 1 : 0); }
 
  private:
   std::uint8_t* start_;
   std::uint8_t* to_;
   std::uint64_t pending_ = 0;
-  int bits_ = 0;
+  int bits_ = 0;  ///< below 8
 };
 
 void put_run(NibbleWriter& out, std::uint32_t kind, int length) {
   const auto n = static_cast<std::uint32_t>(length);
   if (length < kTwoNibbles) {
-    out.put(kind | (n - kShortest) << 4, 2);
+    out.put(kind | (n - kShortestRun) << 4, 2);
   } else if (length < kFourNibbles) {
     const std::uint32_t rest = n - kTwoNibbles;
     out.put(kind | (12 + rest / 16) << 4 | (rest % 16) << 8, 3);
@@ -46,80 +46,116 @@ void put_run(NibbleWriter& out, std::uint32_t kind, int length) {
   }
 }
 
-class NibbleReader {
+/// The cells of a tile as nibbles, to be copied in pieces.
+class PackedTile {
  public:
-  explicit NibbleReader(std::span<const std::uint8_t> code) : code_(code), end_(2 * code.size()) {}
-  [[nodiscard]] std::size_t left() const { return end_ - at_; }
-  /// The next nibble; 0 behind the end.
-  std::uint32_t take() {
-    if (at_ >= end_) return overrun_ = true, 0;
-    const std::uint32_t nibble = (code_[at_ / 2] >> (at_ % 2 * 4)) & 15U;
-    ++at_;
-    return nibble;
+  explicit PackedTile(const TileCells& tile) {
+    for (std::size_t w = 0; w < kWords; ++w) words_[w] = pack_16(tile.levels.data() + 16 * w, kNibbleLowest);
   }
-  [[nodiscard]] bool overrun() const { return overrun_; }
+  /// Cells [first, first + count), count in 1..14.
+  [[nodiscard]] std::uint64_t piece(int first, int count) const {
+    const auto w = static_cast<std::size_t>(first) / 16;
+    const int shift = first % 16 * 4;
+    const std::uint64_t two = shift == 0 ? words_[w] : words_[w] >> shift | words_[w + 1] << (64 - shift);
+    return two & ((std::uint64_t{1} << (4 * count)) - 1);
+  }
 
  private:
-  std::span<const std::uint8_t> code_;
-  std::size_t at_ = 0, end_;
-  bool overrun_ = false;
+  static constexpr std::size_t kWords = kTileCells / 16;
+  std::array<std::uint64_t, kWords + 1> words_{};
 };
 
-/// A run's length, 0 where there is none.
-int take_length(NibbleReader& in) {
-  const std::uint32_t first = in.take();
-  if (first < 12) return kShortest + static_cast<int>(first);
-  if (first < 15) return kTwoNibbles + static_cast<int>(16 * (first - 12) + in.take());
-  const std::uint32_t high = in.take(), middle = in.take();
-  return static_cast<int>(high << 8 | middle << 4 | in.take());
+/// Reads nibbles from a copy of the code that has room behind it.
+class NibbleReader {
+ public:
+  explicit NibbleReader(std::span<const std::uint8_t> code) : end_(2 * static_cast<int>(code.size())) {
+    std::memcpy(code_.data(), code.data(), code.size());
+    std::memset(code_.data() + code.size(), 0xFF, kSpare);
+  }
+  /// The next 15 nibbles or more, next one lowest; what stands behind the end is not of the code.
+  [[nodiscard]] std::uint64_t peek() const {
+    std::uint64_t word;
+    std::memcpy(&word, code_.data() + at_ / 2, 8);
+    return word >> (at_ % 2 * 4);
+  }
+  /// False where the code has not so many.
+  bool skip(int count) {
+    at_ += count;
+    return at_ <= end_;
+  }
+  [[nodiscard]] bool at_end() const { return at_ == end_ || (at_ + 1 == end_ && (peek() & 15) == 0); }
+
+ private:
+  static constexpr std::size_t kSpare = 16;
+  std::array<std::uint8_t, kNibbleCodeMax + kSpare> code_;
+  int at_ = 0, end_;
+};
+
+struct RunLength {
+  int cells;
+  int nibbles;  ///< of its code
+};
+
+RunLength run_length(std::uint64_t word) {
+  const int first = static_cast<int>(word & 15), second = static_cast<int>(word >> 4 & 15);
+  if (first < 12) return {kShortestRun + first, 1};
+  if (first < 15) return {kTwoNibbles + 16 * (first - 12) + second, 2};
+  return {second << 8 | static_cast<int>(word >> 8 & 15) << 4 | static_cast<int>(word >> 12 & 15), 4};
+}
+
+/// How many of the 15 lowest nibbles, from the lowest on, are cells: below 14, which has its three highest bits set.
+int leading_cells(std::uint64_t word) {
+  const std::uint64_t runs = word & word << 1 & word << 2 & 0x0888888888888888ULL;
+  return runs == 0 ? 15 : std::countr_zero(runs) / 4;
 }
 
 }  // namespace
 
 bool fits_nibbles(const TileCells& tile) {
-  std::uint32_t outside = 0;
-  for (const std::int8_t level : tile.levels) {
-    outside |=
-        static_cast<std::uint32_t>(static_cast<std::uint8_t>(level - kNibbleLowest) > kNibbleHighest - kNibbleLowest);
+  bool outside = false;
+  for (int i = 0; i < kTileCells; i += 16) {
+    outside |= outside_16(tile.levels.data() + i, kNibbleLowest, kNibbleHighest);
   }
-  return outside == 0;
+  return !outside;
 }
 
 std::size_t encode_nibbles(const TileCells& tile, NibbleBuffer& code) {
   const TileRepeats repeats(tile);
+  const PackedTile packed(tile);
   NibbleWriter out(code.data());
   for (int at = 0; at < kTileCells;) {
+    const int run = repeats.starts.find(at);
+    for (; at < run; at += 14) out.put(packed.piece(at, std::min(14, run - at)), std::min(14, run - at));
+    at = run;
+    if (at == kTileCells) break;
     const int above = repeats.above.run(at), before = repeats.before.run(at);
-    if (const int longest = std::max(above, before); longest >= kShortest) {
-      put_run(out, above >= before ? kAbove : kBefore, longest);
-      at += longest;
-    } else {
-      out.put(static_cast<std::uint32_t>(tile.levels[static_cast<std::size_t>(at++)] - kNibbleLowest), 1);
-    }
+    put_run(out, above >= before ? kAbove : kBefore, std::max(above, before));
+    at += std::max(above, before);
   }
-  return out.finish();
+  return out.size();
 }
 
 bool decode_nibbles(std::span<const std::uint8_t> code, TileCells& tile) {
+  if (code.size() > kNibbleCodeMax) return false;
   NibbleReader in(code);
   TileWriter out;
   while (out.left() > 0) {
-    const std::uint32_t nibble = in.take();
-    if (nibble < kAbove) {
-      if (in.overrun()) return false;
-      out.put(static_cast<std::int8_t>(static_cast<int>(nibble) + kNibbleLowest));
-      continue;
-    }
-    const int length = take_length(in);
-    if (in.overrun() || length < kShortest || length > out.left()) return false;
-    if (nibble == kAbove) {
-      out.repeat_above(length);
+    const std::uint64_t word = in.peek();
+    const int cells = std::min(leading_cells(word), out.left());
+    out.put_packed(word, kNibbleLowest, cells);
+    if (!in.skip(cells)) return false;
+    if (cells == 15 || out.left() == 0) continue;
+    const std::uint64_t run = in.peek();
+    const RunLength length = run_length(run >> 4);
+    if (!in.skip(1 + length.nibbles) || length.cells < kShortestRun || length.cells > out.left()) return false;
+    if ((run & 15) == kAbove) {
+      out.repeat_above(length.cells);
     } else {
-      out.repeat_before(length);
+      out.repeat_before(length.cells);
     }
   }
   out.copy_to(tile);
-  return in.left() == 0 || (in.left() == 1 && in.take() == 0);
+  return in.at_end();
 }
 
 }  // namespace cogslam

@@ -16,7 +16,7 @@ std::int8_t nearest_level(double log_odds, double unit) {
 
 std::optional<LatticeTrouble> trouble_of(const std::string& key, float value, double unit) {
   const double levels = static_cast<double>(value) / unit;
-  const std::string found = number_text(static_cast<double>(value));
+  const std::string found = number_text(std::round(static_cast<double>(value) * 1e6) / 1e6);  // 0.7F is 0.69999998...
   if (std::abs(levels - std::round(levels)) > kRounding) {
     return LatticeTrouble{key,
                           "expected a multiple of the store's lattice_unit " + number_text(unit) + ", found " + found};

@@ -89,6 +89,10 @@ void MapStore::commit(const CellWindow& changed, MapScratch& scratch) {
   }
 }
 
+void MapStore::settle(std::uint64_t scan) {
+  if (auto* tiles = std::get_if<TileMap>(&map_)) tiles->settle(scan);
+}
+
 CellWindow MapStore::extent() const {
   return std::visit([](const auto& map) { return map.extent(); }, map_);
 }

@@ -61,6 +61,10 @@ class MapStore {
   void load_levels(const CellWindow& window, MapScratch& scratch) const;
   void commit_levels(const CellWindow& changed, MapScratch& scratch);
 
+  /// Once per registered scan, for the maps of all particles, one after another and beside no other call: codes what is
+  /// out of use more densely (kTiles; the others do nothing). `scan` counts up. Changes bytes, never cells.
+  void settle(std::uint64_t scan);
+
   /// A window outside which every cell is unknown.
   [[nodiscard]] CellWindow extent() const;
   void add_to(Hash& hash) const;

@@ -1,8 +1,11 @@
 #include "slam/map/tile.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "slam/codec/byte_code.hpp"
+#include "slam/codec/context_code.hpp"
 #include "slam/codec/nibble_code.hpp"
 
 namespace cogslam {
@@ -28,23 +31,26 @@ bool Tile::decode(TileCells& cells) const {
       return decode_nibbles(code(), cells);
     case TileCoding::kBytes:
       return decode_bytes(code(), cells);
+    case TileCoding::kContexts:
+    case TileCoding::kContextBytes:
+      return decode_contexts(code(), coding_ == TileCoding::kContexts, cells);
   }
   return false;
 }
 
+// The sum of 64-bit words, each turned by its place, modulo 2^16 - 1. A changed bit changes it by a power of two, which
+// is never 0 in this modulus.
 std::uint16_t check_sum(std::span<const std::uint8_t> code) {
-  std::uint64_t sum = 0x9e3779b97f4a7c15ULL ^ code.size();
-  std::size_t at = 0;
-  for (; at + 8 <= code.size(); at += 8) {
-    std::uint64_t word;
-    std::memcpy(&word, code.data() + at, 8);
-    sum = (sum ^ word) * 0xff51afd7ed558ccdULL;
-    sum ^= sum >> 32;
+  std::uint64_t sum = code.size();
+  int turn = 0;
+  for (std::size_t at = 0; at < code.size(); at += 8, turn = (turn + 5) % 64) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, code.data() + at, std::min<std::size_t>(8, code.size() - at));
+    word = std::rotl(word, turn);
+    sum += word;
+    sum += sum < word ? 1 : 0;  // the carry: 2^64 is 1 in this modulus
   }
-  std::uint64_t word = 0;
-  for (; at < code.size(); ++at) word = word << 8 | code[at];
-  sum = (sum ^ word) * 0xff51afd7ed558ccdULL;
-  return static_cast<std::uint16_t>(sum >> 48);
+  return static_cast<std::uint16_t>(sum % 0xFFFF);
 }
 
 }  // namespace cogslam

@@ -6,15 +6,19 @@
 #include <span>
 
 #include "slam/codec/tile_cells.hpp"
+#include "slam/map/memory_meter.hpp"
 
 namespace cogslam {
 
 /// How the cells of a tile are written down.
 enum class TileCoding : std::uint8_t {
-  kUniform,  ///< one byte: the level of all cells
-  kNibbles,  ///< nibble_code.hpp: levels -5 to 8
-  kBytes,    ///< byte_code.hpp: any level
+  kUniform,       ///< one byte: the level of all cells
+  kNibbles,       ///< nibble_code.hpp, fast: levels -5 to 8
+  kBytes,         ///< byte_code.hpp, fast: any level
+  kContexts,      ///< context_code.hpp, dense: levels -5 to 8
+  kContextBytes,  ///< context_code.hpp, dense: any level
 };
+inline bool is_fast(TileCoding coding) { return coding == TileCoding::kNibbles || coding == TileCoding::kBytes; }
 
 /// A coded tile, not changed once made, in one piece of memory: this header with the code behind it. Made and returned
 /// by a TileStore; maps share it by count.
@@ -24,6 +28,8 @@ class Tile {
 
   [[nodiscard]] std::span<const std::uint8_t> code() const { return {bytes(), size_}; }
   [[nodiscard]] TileCoding coding() const { return coding_; }
+  /// What it takes from the heap [bytes].
+  [[nodiscard]] std::int64_t memory() const { return heap_bytes(sizeof(Tile) + size_); }
   /// False for a code that is not what was written: its sum or its own rules do not hold.
   [[nodiscard]] bool decode(TileCells& cells) const;
 
@@ -36,9 +42,10 @@ class Tile {
   std::uint16_t size_;   ///< of the code [bytes]
   std::uint16_t born_;   ///< the registered scan that made it, modulo 2^16
   TileCoding coding_;
+  mutable bool kept_fast_ = false;  ///< its dense code was tried and saves nothing
 };
 
-/// The sum that is kept beside a code; a changed bit changes it, but for one chance in 2^16.
+/// The sum that is kept beside a code. One changed bit always changes it, other damage but for one chance in 2^16.
 std::uint16_t check_sum(std::span<const std::uint8_t> code);
 
 }  // namespace cogslam

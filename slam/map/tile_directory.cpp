@@ -108,6 +108,40 @@ struct Update {
   }
 };
 
+/// Returns true where nothing below can ever be idle again. Its children are const for everybody else.
+bool seal_idle_below(const TileNode& node, int level, TileStore& store) {
+  if (node.swept == TileNode::kAllSealed) return true;
+  if (node.swept == store.sealing()) return false;
+  bool all = true;
+  auto* child = reinterpret_cast<const void**>(const_cast<TileNode*>(&node) + 1);
+  for (int i = 0; i < std::popcount(node.held); ++i, ++child) {
+    if (level > 1) {
+      all &= seal_idle_below(*static_cast<const TileNode*>(*child), level - 1, store);
+      continue;
+    }
+    const auto* tile = static_cast<const Tile*>(*child);
+    if (store.is_idle(*tile)) {
+      *child = store.sealed(*tile);
+      if (*child != tile) store.release(*tile);
+    }
+    all &= store.is_settled(*static_cast<const Tile*>(*child));
+  }
+  node.swept = all ? TileNode::kAllSealed : store.sealing();
+  return all;
+}
+
+void visit_pieces(const TileNode& node, int level, const TileDirectory::VisitMemory& visit) {
+  const int count = std::popcount(node.held);
+  visit(&node, 0, heap_bytes(memory_for(count)));
+  for (int i = 0; i < count; ++i) {
+    if (level > 1) {
+      visit_pieces(*static_cast<const TileNode*>(children(node)[i]), level - 1, visit);
+    } else if (const auto& tile = *static_cast<const Tile*>(children(node)[i]); tile.coding() != TileCoding::kUniform) {
+      visit(&tile, static_cast<std::int64_t>(tile.code().size()), tile.memory());
+    }
+  }
+}
+
 void visit_square(const void* square, int level, std::uint32_t x, std::uint32_t y, const TileDirectory::Visit& visit) {
   if (square == nullptr) return;
   if (level == 0) {
@@ -181,6 +215,14 @@ void TileDirectory::update(const CellWindow& tiles, const Change& change) {
   if (after == root_) return;
   release(root_, levels_, *store_);
   root_ = after;
+}
+
+void TileDirectory::seal_idle() {
+  if (root_ != nullptr) seal_idle_below(*root_, levels_, *store_);
+}
+
+void TileDirectory::for_each_piece(const VisitMemory& visit) const {
+  if (root_ != nullptr) visit_pieces(*root_, levels_, visit);
 }
 
 void TileDirectory::for_each(const Visit& visit) const { visit_square(root_, levels_, root_x_, root_y_, visit); }

@@ -13,7 +13,9 @@ namespace cogslam {
 /// memory. In one piece: this header with the pointers behind it.
 struct TileNode {
   mutable std::atomic<std::uint32_t> owners{1};
-  std::uint16_t held = 0;  ///< bit 4 y + x: the child in that place is there
+  std::uint16_t held = 0;           ///< bit 4 y + x: the child in that place is there
+  mutable std::uint16_t swept = 0;  ///< the last sealing that went through it, or kAllSealed
+  static constexpr std::uint16_t kAllSealed = 0xFFFF;
 };
 
 /// Which tile lies where: a tree of 4 x 4-way nodes that is never changed. Copies share all of it; an update makes new
@@ -38,6 +40,15 @@ class TileDirectory {
   using Change = std::function<const Tile*(Cell place, const Tile* before)>;
   /// Asks `change` for every tile of a window of tile coordinates.
   void update(const CellWindow& tiles, const Change& change);
+
+  /// Puts idle tiles into dense code, also for the maps that share them: the one change to nodes that are there. Not
+  /// beside any other call to maps of this store.
+  void seal_idle();
+
+  /// Every piece of memory that the map holds, with what a MemoryMeter counts for it: tiles and nodes, each as often as
+  /// it is found.
+  using VisitMemory = std::function<void(const void* piece, std::int64_t payload, std::int64_t total)>;
+  void for_each_piece(const VisitMemory& visit) const;
 
   using Visit = std::function<void(Cell place, const Tile& tile)>;
   void for_each(const Visit& visit) const;

@@ -21,6 +21,12 @@ class TileMap {
   /// Takes over the cells of `changed` from `scratch`, which a load filled.
   void commit(const Grid<std::int8_t>& scratch, const CellWindow& changed);
 
+  /// Says that registered scan number `scan` begins, and on every fourth seals tiles that are no longer changed. To be
+  /// called for all maps of a store, one after another and beside no other call.
+  void settle(std::uint64_t scan) {
+    if (directory_.store().begin_scan(scan)) directory_.seal_idle();
+  }
+
   /// The smallest window that holds every tile.
   [[nodiscard]] CellWindow extent() const;
   /// Equal maps have equal hashes, also between this and LatticeMap.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <unordered_map>
 
 #include "slam/map/decode_cache.hpp"
 #include "slam/map/memory_meter.hpp"
@@ -26,16 +27,33 @@ class TileStore {
   void retain(const Tile& tile) const;
   void release(const Tile& tile);
 
+  /// Says which registered scan it is, counted from anywhere: tiles made from now on are of this scan. As every fourth
+  /// begins, returns true: then tiles are to be sealed.
+  bool begin_scan(std::uint64_t scan);
+  /// A number for each call of begin_scan that returned true, in 1..0xFFFE.
+  [[nodiscard]] std::uint16_t sealing() const { return sealing_; }
+  /// True for a tile in fast code that was made eight scans ago or earlier and has not been tried.
+  [[nodiscard]] bool is_idle(const Tile& tile) const;
+  /// True for a tile that is_idle never holds for again.
+  [[nodiscard]] static bool is_settled(const Tile& tile) { return !is_fast(tile.coding_) || tile.kept_fast_; }
+  /// The tile in dense code, with an owner for the caller: the same one for all that ask in one scan. The tile itself,
+  /// without a new owner, where that saves no memory. Not beside any other call.
+  const Tile* sealed(const Tile& tile);
+
   DecodeCache& decoded() { return cache_; }
   MemoryMeter& meter() { return *meter_; }
 
  private:
   const Tile* allocate(TileCoding coding, std::span<const std::uint8_t> code) const;
+  const Tile* seal(const Tile& tile);
+  void count(const Tile& tile, int sign);
 
   std::shared_ptr<MemoryMeter> meter_;
   DecodeCache cache_;
   std::array<const Tile*, 256> uniform_{};
   std::uint16_t scan_ = 0;
+  std::uint16_t sealing_ = 0;
+  std::unordered_map<const Tile*, const Tile*> sealed_;  ///< in this scan; looked up, never gone through
 };
 
 }  // namespace cogslam

@@ -2,9 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+
 #include "core/rng.hpp"
 #include "slam/map/dense_map.hpp"
 #include "slam/map/lattice.hpp"
+#include "tests/support/random_tile.hpp"
 
 namespace cogslam {
 namespace {
@@ -29,7 +32,7 @@ struct World {
 
 int draw(Rng& rng, int bound) { return static_cast<int>(rng.below(static_cast<std::uint32_t>(bound))); }
 
-/// A scan in small: a room of free cells with walls, a few of them noisy, added to what the maps hold.
+/// A scan in small: a room of free cells with walls, a few cells missed, added to what the maps hold.
 void scan(Pair& pair, Rng& rng, const LatticeModel& model, const CellWindow& limits) {
   const Cell at{draw(rng, 400) - 200, draw(rng, 400) - 200};
   const CellWindow room{at, {at.x + 1 + draw(rng, 70), at.y + 1 + draw(rng, 70)}};
@@ -68,6 +71,21 @@ void expect_same(const Pair& pair) {
   EXPECT_EQ(scratch, twin_scratch);
 }
 
+/// Adds up every piece of memory of the maps once, and compares with the meter.
+void expect_exact_account(const std::vector<Pair>& pool, const MemoryMeter& meter) {
+  std::set<const void*> counted;
+  std::int64_t payload = 0, total = 0;
+  for (const Pair& pair : pool) {
+    pair.tiles.directory().for_each_piece([&](const void* piece, std::int64_t its_payload, std::int64_t its_total) {
+      if (!counted.insert(piece).second) return;
+      payload += its_payload;
+      total += its_total;
+    });
+  }
+  EXPECT_EQ(meter.payload(), payload);
+  EXPECT_EQ(meter.total(), total);
+}
+
 /// Particles in small: maps are scanned into, copied over each other and dropped in random order.
 void drive(const LatticeModel& model, const std::optional<GridFrame>& area, std::uint32_t entity) {
   Rng rng({.seed = 7, .purpose = Purpose::kWorld, .entity = entity});
@@ -87,9 +105,12 @@ void drive(const LatticeModel& model, const std::optional<GridFrame>& area, std:
         default:
           scan(pool[a], rng, model, limits);
       }
+      for (Pair& pair : pool) pair.tiles.settle(static_cast<std::uint64_t>(step));
+      if (step % 10 == 0) expect_exact_account(pool, *world.tile_meter);
       if (testing::Test::HasFatalFailure()) return;
     }
     for (const Pair& pair : pool) expect_same(pair);
+    expect_exact_account(pool, *world.tile_meter);
     EXPECT_GT(world.tile_meter->payload(), 0);
     EXPECT_LT(world.tile_meter->total(), world.twin_meter->total());
   }
@@ -144,6 +165,82 @@ TEST(TileMap, SharesAllTilesOfACopyAndCodesOnlyTheOneThatChanged) {
   EXPECT_GT(world.tile_meter->payload(), payload);
   EXPECT_NE(hash_of(copy), hash_of(pair.tiles));
   expect_same(pair);
+}
+
+void write_tile(Pair& pair, Cell low, const TileCells& cells) {
+  const CellWindow window{low, {low.x + kTileSide - 1, low.y + kTileSide - 1}};
+  Grid<std::int8_t> scratch(window.frame(kCell));
+  std::copy(cells.levels.begin(), cells.levels.end(), scratch.values().begin());
+  pair.tiles.commit(scratch, window);
+  pair.twin.commit(scratch, window);
+}
+
+int fast_tiles_in(const TileMap& map) {
+  int count = 0;
+  map.directory().for_each([&](Cell, const Tile& tile) { count += is_fast(tile.coding()) ? 1 : 0; });
+  return count;
+}
+
+TEST(TileMap, SealsTilesOutOfUseOnceForAllThatShareThem) {
+  World world;
+  std::vector<Pair> pool(1, world.empty());
+  Rng rng({.seed = 2, .purpose = Purpose::kWorld});
+  for (int x = -64; x < 64; x += kTileSide) write_tile(pool[0], {x, 96}, noisy_wall(rng));
+  pool.resize(6, pool[0]);
+  const std::int64_t before = world.tile_meter->payload();
+  const int fast = fast_tiles_in(pool[0].tiles);
+  for (std::uint64_t now = 1; now < 8; ++now) {
+    for (Pair& pair : pool) pair.tiles.settle(now);
+    EXPECT_EQ(fast_tiles_in(pool[0].tiles), fast);
+  }
+  for (Pair& pair : pool) pair.tiles.settle(8);
+  EXPECT_EQ(fast, 4);
+  EXPECT_EQ(fast_tiles_in(pool[5].tiles), 0);
+  EXPECT_LT(10 * world.tile_meter->payload(), 9 * before);
+  expect_exact_account(pool, *world.tile_meter);
+  for (Pair& pair : pool) expect_same(pair);
+  scan(pool[3], rng, {}, {{-300, -300}, {300, 300}});
+  for (Pair& pair : pool) expect_same(pair);
+}
+
+/// What a run holds may depend on where it has been, but not on for how long.
+TEST(TileMap, DoesNotGrowInAMillionUpdates) {
+  World world;
+  constexpr int kUpdates = 1000000;
+  std::vector<TileMap> pool(3, TileMap(kCell, std::nullopt, world.store));
+  Rng rng({.seed = 4, .purpose = Purpose::kWorld});
+  Grid<std::int8_t> scratch;
+  std::array<std::int64_t, 2> peak{};
+  for (int step = 0; step < kUpdates; ++step) {
+    const std::size_t a = rng.below(3);
+    const Cell at{draw(rng, 64), draw(rng, 64)};
+    pool[a].load({at, at}, scratch);
+    scratch[{0, 0}] = LatticeModel{}.after(scratch[{0, 0}], rng.below(3) == 0 ? 2 : -1);
+    pool[a].commit(scratch, {at, at});
+    if (step % 50 == 0) pool[rng.below(3)] = pool[a];
+    if (step % 1000 == 0) {
+      for (TileMap& map : pool) map.settle(static_cast<std::uint64_t>(step) / 1000);
+    }
+    std::int64_t& most = peak[step < kUpdates / 2 ? 0 : 1];
+    most = std::max(most, world.tile_meter->total());
+  }
+  EXPECT_GT(peak[0], 1000);
+  EXPECT_LE(peak[1], peak[0] + peak[0] / 20);
+}
+
+TEST(TileMap, ReturnsItsMemory) {
+  World world;
+  Rng rng({.seed = 5, .purpose = Purpose::kWorld});
+  Pair pair = world.empty();
+  for (int i = 0; i < 10; ++i) scan(pair, rng, {}, {{-300, -300}, {300, 300}});
+  EXPECT_GT(world.tile_meter->total(), 0);
+  const CellWindow all = pair.tiles.extent();
+  Grid<std::int8_t> scratch;
+  pair.tiles.load(all, scratch);
+  std::fill(scratch.values().begin(), scratch.values().end(), std::int8_t{0});
+  pair.tiles.commit(scratch, all);  // unknown again
+  EXPECT_EQ(world.tile_meter->total(), 0);
+  EXPECT_TRUE(pair.tiles.extent().empty());
 }
 
 }  // namespace
