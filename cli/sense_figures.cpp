@@ -54,7 +54,9 @@ Command sense_figures_command(CLI::App& sense) {
   auto arguments = std::make_shared<FiguresArguments>();
   CLI::App* parser = sense.add_subcommand("figures", "figures of the paper as CSV, SVG and PNG");
   parser->add_option("NUMBER", arguments->numbers, "as listed below; all where none is given");
-  parser->add_option("--map", arguments->map, "field of figures 5 and 6: 0 (free) to 1 (occupied), .csv or .npy")
+  parser
+      ->add_option("--map", arguments->map,
+                   "field of figures 5 and 6 in place of the hallway: 0 (free) to 1 (occupied), .csv or .npy")
       ->type_name("FILE");
   parser->add_option("--seeds", arguments->config.seeds, "draws of cells behind every mean")
       ->check(CLI::Range(2, 10000))

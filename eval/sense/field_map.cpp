@@ -3,6 +3,8 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "eval/lab/map_source.hpp"
+#include "worlds/hallway.hpp"
+#include "worlds/truth_grid.hpp"
 
 namespace cogslam {
 
@@ -18,6 +20,18 @@ FieldMap read_field_map(const std::filesystem::path& file) {
     throw InputError({file.string()}, "row " + std::to_string(i / width + 1) + ", value " +
                                           std::to_string(i % width + 1) + " is " + number_text(map.cells[i]) +
                                           ", expected 0 (free) to 1 (occupied)");
+  }
+  return map;
+}
+
+FieldMap hallway_field() {
+  const Grid<TruthCell> truth = truth_grid(hallway(), 0.25);
+  FieldMap map{.name = "hallway", .width = truth.frame().width, .height = truth.frame().height, .cells = {}};
+  for (int y = map.height; y-- > 0;) {
+    for (int x = 0; x < map.width; ++x) {
+      const TruthCell cell = truth[{x, y}];
+      map.cells.push_back(cell == TruthCell::kFree ? 0.0 : cell == TruthCell::kOccupied ? 1.0 : 0.5);
+    }
   }
   return map;
 }

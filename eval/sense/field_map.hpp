@@ -17,4 +17,8 @@ struct FieldMap {
 /// file that cannot be read or holds no cells, rows of different lengths, or a value outside [0, 1].
 FieldMap read_field_map(const std::filesystem::path& file);
 
+/// The hallway of worlds/hallway.hpp in 154 rows of 249 cells of 0.25 m, the upper row first: walls 1, what cannot be
+/// reached 0.5, all else 0.
+FieldMap hallway_field();
+
 }  // namespace cogslam

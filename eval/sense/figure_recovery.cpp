@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "eval/sense/figure.hpp"
 #include "eval/sense/recovery_study.hpp"
@@ -9,6 +10,7 @@ namespace cogslam {
 namespace {
 
 constexpr std::size_t kFigure6Count = 8000;
+constexpr double kShades = 200.0;  // steps of grey: equal ones in a row are one rectangle of the picture
 
 /// Counts of the paper that the field has cells for, largest first, as figure 5 has them.
 std::vector<std::size_t> paper_counts(const FieldMap& map) {
@@ -21,7 +23,7 @@ Chart picture_of(const FieldMap& map, const std::vector<double>& field, const st
                  const std::string& label) {
   Grid<float> image({.width = map.width, .height = map.height});
   for (std::size_t i = 0; i < field.size(); ++i) {
-    image.values()[i] = static_cast<float>(std::clamp(field[i], 0.0, 1.0));
+    image.values()[i] = static_cast<float>(std::round(kShades * std::clamp(field[i], 0.0, 1.0)) / kShades);
   }
   return {.title = title,
           .x = {.label = label},
@@ -72,7 +74,7 @@ std::string letter(std::size_t i) { return fmt::format("({})", static_cast<char>
 }  // namespace
 
 LabFigure figure_by_samples(const SenseFigureConfig& config, Workers& workers, const LabProgress& progress) {
-  const FieldMap& map = field_of(config, 5);
+  const FieldMap map = config.map ? *config.map : hallway_field();
   std::vector<std::size_t> counts = paper_counts(map);
   LabFigure figure{
       .csv = {},
@@ -102,7 +104,7 @@ LabFigure figure_by_samples(const SenseFigureConfig& config, Workers& workers, c
 }
 
 LabFigure figure_by_prior(const SenseFigureConfig& config, Workers& workers, const LabProgress& progress) {
-  const FieldMap& map = field_of(config, 6);
+  const FieldMap map = config.map ? *config.map : hallway_field();
   const std::size_t count = std::min(kFigure6Count, paper_counts(map).front());
   const std::array<FieldPrior, 3> priors{FieldPrior::kDct, FieldPrior::kHaar, FieldPrior::kTotalVariation};
   const std::array<const char*, 3> titles{"(a) least l1 norm in DCT", "(b) least l1 norm in Haar",

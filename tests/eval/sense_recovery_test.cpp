@@ -83,6 +83,14 @@ TEST(FieldMap, NamesWhatIsWrongWithAFile) {
             ragged + ":2: 1 values in this row, expected 2 as in the first");
 }
 
+TEST(FieldMap, OfTheHallwayHasThePapersSize) {
+  const FieldMap map = hallway_field();
+  EXPECT_EQ(map.width, 249);
+  EXPECT_EQ(map.height, 154);
+  EXPECT_THAT(map.cells, testing::Each(testing::AnyOf(0.0, 0.5, 1.0)));
+  EXPECT_THAT(map.cells, testing::Contains(1.0).Times(testing::Gt(1000)));
+}
+
 TEST(RecoveryStudy, RefusesCountsThatNoMapHas) {
   Workers workers(1);
   const auto text = [&](std::size_t count) {
@@ -147,7 +155,7 @@ TEST(RecoveryStudy, WritesItsRunsAsJson) {
   EXPECT_EQ(score["wall_f1"]["mean"], 1.0);
 }
 
-TEST(SenseFigure, KnowsItsNumbersAndNeedsAField) {
+TEST(SenseFigure, KnowsItsNumbers) {
   EXPECT_EQ(sense_figure(6).number, 6);
   EXPECT_THAT(error_text([] { static_cast<void>(sense_figure(1)); }), HasSubstr("no figure 1, expected one of "));
   int before = 0;
