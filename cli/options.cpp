@@ -47,7 +47,7 @@ void add_options(CLI::App& parser, Options& options) {
   parser
       .add_option("--store", options.store,
                   "run only the variants that keep their maps so; where the file lists none, the store to use")
-      ->check(CLI::IsMember({"dense", "coefficients", "tiles", "lattice"}));
+      ->check(CLI::IsMember({"dense", "coefficients", "tiles", "two_resolution", "lattice"}));
   parser.add_option("--percent", options.percent_kept, "coefficients kept, of 100 per map cell")
       ->check(CLI::Range(1e-6, 100.0));
   parser.add_option("--out", options.out, "folder that the run's folder is put into")

@@ -17,7 +17,7 @@ struct Options {
   int threads = 0;  ///< filled in with all cores
   std::optional<int> particles;
   std::optional<double> cell_size;     ///< [m]
-  std::optional<std::string> store;    ///< as in the file: dense, coefficients, tiles, lattice
+  std::optional<std::string> store;    ///< as in the file: dense, coefficients, tiles, two_resolution, lattice
   std::optional<double> percent_kept;  ///< of coefficients
   std::vector<std::string> settings;   ///< --set key=value
   std::filesystem::path out = "runs";

@@ -145,6 +145,8 @@ std::string store_name(StoreKind kind) {
       return "coefficients";
     case StoreKind::kTiles:
       return "tiles";
+    case StoreKind::kTwoResolution:
+      return "two_resolution";
     case StoreKind::kLattice:
       return "lattice";
   }

@@ -14,6 +14,7 @@ void read_store(ConfigSection section, StoreConfig& store) {
                       {{"dense", StoreKind::kDense},
                        {"coefficients", StoreKind::kCoefficients},
                        {"tiles", StoreKind::kTiles},
+                       {"two_resolution", StoreKind::kTwoResolution},
                        {"lattice", StoreKind::kLattice}});
   section.read("lattice_unit", store.lattice_unit, {1e-3, 10.0});
   section.read("percent_kept", store.percent_kept, {1e-6, 100.0});

@@ -23,7 +23,9 @@ Map make(const StoreConfig& config, double cell_size, const std::optional<GridFr
     case StoreKind::kDense:
       return DenseMap(cell_size, area, std::move(meter));
     case StoreKind::kTiles:
-      return TileMap(cell_size, area, std::make_shared<TileStore>(std::move(meter)));
+    case StoreKind::kTwoResolution:
+      return TileMap(cell_size, area,
+                     std::make_shared<TileStore>(std::move(meter), config.kind == StoreKind::kTwoResolution));
     case StoreKind::kLattice:
       return LatticeMap(cell_size, area, std::move(meter));
     case StoreKind::kCoefficients:

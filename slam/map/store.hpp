@@ -15,15 +15,18 @@ namespace cogslam {
 
 /// Every way to keep a particle's map, on one page.
 enum class StoreKind {
-  kDense,         ///< float log-odds, shared until written: FastSLAM OG (Alg. 1, 2)
-  kCoefficients,  ///< measurements of the whole grid's coefficients, as shipped the largest ones of Haar: FastSLAM COG
-                  ///< (Alg. 3, 4, 7, 8; eq. 22)
-  kTiles,         ///< levels of log-odds in coded 32 x 32 tiles that maps share
-  kLattice,       ///< the same levels, a byte per cell: the plain twin of kTiles
+  kDense,          ///< float log-odds, shared until written: FastSLAM OG (Alg. 1, 2)
+  kCoefficients,   ///< measurements of the whole grid's coefficients, as shipped the largest ones of Haar: FastSLAM COG
+                   ///< (Alg. 3, 4, 7, 8; eq. 22)
+  kTiles,          ///< levels of log-odds in coded 32 x 32 tiles that maps share
+  kTwoResolution,  ///< as kTiles, but with coarse cells in tiles where nothing is occupied: loses detail
+  kLattice,        ///< the same levels, a byte per cell: the plain twin of kTiles
 };
 
 /// The kinds that keep levels of a LatticeModel: they load and commit Grid<std::int8_t>, floats only by conversion.
-inline bool keeps_levels(StoreKind kind) { return kind == StoreKind::kTiles || kind == StoreKind::kLattice; }
+inline bool keeps_levels(StoreKind kind) {
+  return kind == StoreKind::kTiles || kind == StoreKind::kTwoResolution || kind == StoreKind::kLattice;
+}
 
 struct StoreConfig {
   StoreKind kind = StoreKind::kDense;

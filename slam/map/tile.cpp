@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "slam/codec/byte_code.hpp"
+#include "slam/codec/coarse_cells.hpp"
 #include "slam/codec/context_code.hpp"
 #include "slam/codec/nibble_code.hpp"
 
@@ -31,6 +32,8 @@ bool Tile::decode(TileCells& cells) const {
       return decode_nibbles(code(), cells);
     case TileCoding::kBytes:
       return decode_bytes(code(), cells);
+    case TileCoding::kCoarse:
+      return decode_coarse(code(), cells);
     case TileCoding::kContexts:
     case TileCoding::kContextBytes:
       return decode_contexts(code(), coding_ == TileCoding::kContexts, cells);

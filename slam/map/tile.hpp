@@ -15,6 +15,7 @@ enum class TileCoding : std::uint8_t {
   kUniform,       ///< one byte: the level of all cells
   kNibbles,       ///< nibble_code.hpp, fast: levels -5 to 8
   kBytes,         ///< byte_code.hpp, fast: any level
+  kCoarse,        ///< coarse_cells.hpp: a coarsened tile, levels -5 to 8
   kContexts,      ///< context_code.hpp, dense: levels -5 to 8
   kContextBytes,  ///< context_code.hpp, dense: any level
 };

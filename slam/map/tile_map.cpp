@@ -98,6 +98,7 @@ void TileMap::commit(const Grid<std::int8_t>& scratch, const CellWindow& changed
       if (part != whole) std::memcpy(fresh.levels.data(), cells, kTileCells);
       copy_rows(scratch.values().data() + offset(loaded, part.min), stride,
                 fresh.levels.data() + offset(whole, part.min), kTileSide, part.width(), part.height());
+      store.simplify(fresh);
       same = std::memcmp(fresh.levels.data(), cells, kTileCells) == 0;
     };
     if (before != nullptr) {

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "slam/codec/byte_code.hpp"
+#include "slam/codec/coarse_cells.hpp"
 #include "slam/codec/context_code.hpp"
 #include "slam/codec/nibble_code.hpp"
 
@@ -13,6 +14,7 @@ namespace cogslam {
 namespace {
 
 constexpr std::size_t kTilesDecoded = 2048;
+constexpr std::int8_t kNotOccupied = 1;  // the highest level that counts as no obstacle
 constexpr std::uint16_t kIdleScans = 8;
 constexpr std::uint64_t kScansBetweenSealings = 4;
 constexpr std::uint32_t kForGood =
@@ -20,7 +22,8 @@ constexpr std::uint32_t kForGood =
 
 }  // namespace
 
-TileStore::TileStore(std::shared_ptr<MemoryMeter> meter) : meter_(std::move(meter)), cache_(kTilesDecoded) {
+TileStore::TileStore(std::shared_ptr<MemoryMeter> meter, bool two_resolutions)
+    : meter_(std::move(meter)), cache_(kTilesDecoded), two_resolutions_(two_resolutions) {
   std::int64_t bytes = static_cast<std::int64_t>(sizeof(TileStore) + cache_.bytes() + sizeof(ContextModel));
   for (std::size_t level = 0; level < uniform_.size(); ++level) {
     const auto code = static_cast<std::uint8_t>(level);
@@ -40,6 +43,10 @@ const Tile* TileStore::allocate(TileCoding coding, std::span<const std::uint8_t>
   return new (memory) Tile(coding, code, scan_);
 }
 
+void TileStore::simplify(TileCells& cells) const {
+  if (two_resolutions_ && nothing_above(cells, kNotOccupied)) coarsen(cells);
+}
+
 const Tile* TileStore::make(const TileCells& cells) {
   if (std::memcmp(cells.levels.data(), cells.levels.data() + 1, kTileCells - 1) == 0) {
     const std::int8_t level = cells.levels[0];
@@ -48,7 +55,12 @@ const Tile* TileStore::make(const TileCells& cells) {
   const Tile* tile = nullptr;
   if (fits_nibbles(cells)) {
     NibbleBuffer code;
-    tile = allocate(TileCoding::kNibbles, {code.data(), encode_nibbles(cells, code)});
+    const std::size_t size = encode_nibbles(cells, code);
+    if (two_resolutions_ && size > kCoarseCodeBytes && nothing_above(cells, kNotOccupied)) {
+      tile = allocate(TileCoding::kCoarse, encode_coarse(cells));
+    } else {
+      tile = allocate(TileCoding::kNibbles, {code.data(), size});
+    }
   } else {
     ByteBuffer code;
     tile = allocate(TileCoding::kBytes, {code.data(), encode_bytes(cells, code)});

@@ -15,13 +15,17 @@ namespace cogslam {
 /// plain form of those in use. Outlives every map. Safe to use from several threads.
 class TileStore {
  public:
-  explicit TileStore(std::shared_ptr<MemoryMeter> meter);
+  /// `two_resolutions`: tiles without an occupied cell are coarsened (coarse_cells.hpp). That loses detail of free
+  /// space, and is not the lossless store any more.
+  explicit TileStore(std::shared_ptr<MemoryMeter> meter, bool two_resolutions = false);
   ~TileStore();
   TileStore(const TileStore&) = delete;
   TileStore& operator=(const TileStore&) = delete;
 
-  /// A tile of these cells, with one owner; nullptr where all are unknown (level 0). Tiles of one level throughout are
-  /// made once for all.
+  /// What the store makes of cells before it keeps them: as they are, or coarsened.
+  void simplify(TileCells& cells) const;
+  /// A tile of these cells, which went through `simplify`, with one owner; nullptr where all are unknown (level 0).
+  /// Tiles of one level throughout are made once for all.
   const Tile* make(const TileCells& cells);
   /// One more, and one fewer, owner.
   void retain(const Tile& tile) const;
@@ -50,6 +54,7 @@ class TileStore {
 
   std::shared_ptr<MemoryMeter> meter_;
   DecodeCache cache_;
+  bool two_resolutions_;
   std::array<const Tile*, 256> uniform_{};
   std::uint16_t scan_ = 0;
   std::uint16_t sealing_ = 0;

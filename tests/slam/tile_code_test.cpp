@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "slam/codec/byte_code.hpp"
+#include "slam/codec/coarse_cells.hpp"
 #include "slam/codec/context_code.hpp"
 #include "slam/codec/nibble_code.hpp"
 #include "slam/map/tile.hpp"
@@ -180,6 +181,37 @@ TEST(ContextCensus, LearnsChancesThatFitWhatItHasSeen) {
   constexpr std::size_t kFree = 1, kAllAlike = 63;
   EXPECT_EQ(model.as_above[kFree * 64 + kAllAlike], 65520);  // certain, as far as a chance goes
   EXPECT_EQ(model.as_above[kFree * 64], 32768);              // never seen
+}
+
+TEST(CoarseCells, TakeTheMeanOfTheirCells) {
+  TileCells tile;
+  for (const std::size_t i : {0U, 1U, 2U, 3U, 32U, 33U, 34U, 35U})
+    tile.levels[i] = -1;  // half of the first coarse cell
+  tile.levels[4] = -5;    // a sixteenth of the second
+  tile.levels[1023] = 8;  // half a level for the last
+  coarsen(tile);
+  EXPECT_EQ(tile.levels[0], -1);
+  EXPECT_EQ(tile.levels[99], -1);
+  EXPECT_EQ(tile.levels[4], 0);
+  EXPECT_EQ(tile.levels[1023 - 99], 1);
+}
+
+TEST(CoarseCells, GiveACoarsenedTileBack) {
+  Rng rng({.seed = 12, .purpose = Purpose::kWorld});
+  for (int round = 0; round < 200; ++round) {
+    TileCells tile = random_tile(rng, kNibbleLowest, kNibbleHighest), back;
+    coarsen(tile);
+    const TileCells once = tile;
+    coarsen(tile);
+    ASSERT_EQ(tile, once);
+    const auto code = encode_coarse(tile);
+    ASSERT_TRUE(decode_coarse(code, back));
+    ASSERT_EQ(back, tile);
+    EXPECT_FALSE(decode_coarse(std::span(code).first(31), back));
+  }
+  const std::array<std::uint8_t, kCoarseCodeBytes> none{0, 0, 0xE0};
+  TileCells back;
+  EXPECT_FALSE(decode_coarse(none, back));
 }
 
 TEST(Tile, FindsEveryBitThatChanged) {

@@ -175,6 +175,32 @@ void write_tile(Pair& pair, Cell low, const TileCells& cells) {
   pair.twin.commit(scratch, window);
 }
 
+TEST(TileMap, KeepsTilesFineWhereTheyHoldAnObstacleWithTwoResolutions) {
+  const auto meter = std::make_shared<MemoryMeter>();
+  TileMap map(kCell, std::nullopt, std::make_shared<TileStore>(meter, true));
+  Rng rng({.seed = 3, .purpose = Purpose::kWorld});
+  Grid<std::int8_t> scratch;
+  const CellWindow both{{0, 0}, {2 * kTileSide - 1, kTileSide - 1}};
+  map.load(both, scratch);
+  for (int y = 0; y < kTileSide; ++y) {
+    for (int x = 0; x < 2 * kTileSide; ++x) {
+      scratch[{x, y}] = static_cast<std::int8_t>(-static_cast<int>(rng.below(5)));
+    }
+  }
+  scratch[{3, 3}] = 2;  // an obstacle in the first tile
+  const Grid<std::int8_t> written = scratch;
+  map.commit(scratch, both);
+  map.load(both, scratch);
+  for (int y = 0; y < kTileSide; ++y) {
+    for (int x = 0; x < kTileSide; ++x) {
+      ASSERT_EQ((scratch[{x, y}]), (written[{x, y}]));
+      const Cell second{kTileSide + x, y}, corner{kTileSide + x / 4 * 4, y / 4 * 4};
+      ASSERT_EQ(scratch[second], scratch[corner]);
+    }
+  }
+  EXPECT_LT(meter->payload(), 512 + 33);
+}
+
 int fast_tiles_in(const TileMap& map) {
   int count = 0;
   map.directory().for_each([&](Cell, const Tile& tile) { count += is_fast(tile.coding()) ? 1 : 0; });
