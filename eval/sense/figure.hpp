@@ -13,7 +13,7 @@ namespace cogslam {
 
 /// How the figures of compressive mobile sensing are made.
 struct SenseFigureConfig {
-  std::optional<FieldMap> map;  ///< the field of figures 5 and 6
+  std::optional<FieldMap> map;  ///< the field of figures 5 and 6; nothing: hallway_field()
   int seeds = 10;               ///< draws of cells behind every mean, >= 2
 };
 
@@ -31,10 +31,11 @@ const std::vector<SenseFigure>& sense_figures();
 const SenseFigure& sense_figure(int number);
 
 // One file each.
+LabFigure figure_hallway(const SenseFigureConfig& config, Workers& workers, const LabProgress& progress);     // 2
+LabFigure figure_overlap(const SenseFigureConfig& config, Workers& workers, const LabProgress& progress);     // 3
+LabFigure figure_flow(const SenseFigureConfig& config, Workers& workers, const LabProgress& progress);        // 4
+LabFigure figure_stitched(int number);                                                                        // 7, 8, 9
 LabFigure figure_by_samples(const SenseFigureConfig& config, Workers& workers, const LabProgress& progress);  // 5
 LabFigure figure_by_prior(const SenseFigureConfig& config, Workers& workers, const LabProgress& progress);    // 6
-
-/// The field of a figure; InputError where none was given.
-const FieldMap& field_of(const SenseFigureConfig& config, int number);
 
 }  // namespace cogslam

@@ -13,7 +13,7 @@ namespace cogslam {
 /// How a drive is corrected.
 struct PathCorrectionConfig {
   PartialMapConfig map{};
-  OffsetConfig offset{};
+  OffsetConfig offset{.observable_share = 0.05};  ///< odometry is a good prior: stricter than by default
   int samples = 1536;  ///< cells of each partial map that are measured; the others are recovered
 
   /// What is inconsistent and what was expected; empty if nothing is.

@@ -35,7 +35,7 @@ class Sweep {
     const double beam = angle / scan_.angle_increment, last = static_cast<double>(beams_) - 1.0;
     if (!(beam >= -0.5 && beam <= last + 0.5)) return false;
     const auto below = static_cast<std::size_t>(std::clamp(std::floor(beam), 0.0, last));
-    if (joined_[below]) {
+    if (beam >= 0.0 && joined_[below]) {
       const Eigen::Vector2d along = ends_[below + 1] - ends_[below], to_p = p - ends_[below];
       return along.x() * to_p.y() - along.y() * to_p.x() >= 0.0;
     }

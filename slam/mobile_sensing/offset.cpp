@@ -14,6 +14,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+constexpr double kLeastGradient = 1e-8;  // an eigenvalue below is rounding [1/cell^2]; faint walls have 1e-5
+
 /// Sums over the overlap. Steps are x, y [cells] and a turn about `centre`, in the frame of the second map, its turn
 /// multiplied by `radius` so that all three are in cells.
 struct NormalEquations {
@@ -137,7 +139,8 @@ void Registration::decide_observable(const Level& level, Offset& out) {
   out.weakest = solver.eigenvectors().col(0);
   observed_.setZero();
   for (int i = 0; i < 3; ++i) {
-    if (out.eigenvalues[i] <= 0.0 || out.eigenvalues[i] < config_.observable_share * out.eigenvalues[2]) continue;
+    const double least = std::max(kLeastGradient, config_.observable_share * out.eigenvalues[2]);
+    if (!(out.eigenvalues[i] >= least)) continue;
     observed_.col(out.observed_directions++) = solver.eigenvectors().col(i);
   }
 }
@@ -196,6 +199,8 @@ std::string OffsetConfig::check() const {
   }
   if (iterations < 1) return "iterations: expected at least 1";
   if (!(stop_cells > 0.0)) return "stop_cells: expected more than 0";
+  if (!(outlier > 0.0)) return "outlier: expected more than 0";
+  if (!(prior_sigma_cells > 0.0 && prior_sigma_turn > 0.0)) return "prior_sigma: expected more than 0";
   if (!(observable_share >= 0.0 && observable_share < 1.0))
     return "observable_share: expected 0 or more and less than 1";
   if (least_overlap_cells < 1) return "least_overlap_cells: expected at least 1";
