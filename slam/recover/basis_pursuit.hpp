@@ -15,7 +15,7 @@ namespace cogslam {
 /// ||A' lambda||_inf) bounds the optimum from below. Both iterates circle around their limits; means over some of them
 /// are feasible too and come several times as close, so they are tried as well.
 ///
-/// Reaches a gap on large problems in a quarter of NESTA's time (bench/recover.cpp); NESTA also knows eps > 0.
+/// Reaches a gap on large problems in a quarter of NESTA's time or less (bench/recover.cpp); NESTA also knows eps > 0.
 struct BasisPursuit {
   double stop_at_gap = 1e-3;    ///< relative duality gap that ends the run, > 0
   double threshold = 10.0;      ///< of the soft threshold, as a multiple of the mean of |A' y|, > 0
