@@ -69,7 +69,7 @@ class PackedTile {
 class NibbleReader {
  public:
   explicit NibbleReader(std::span<const std::uint8_t> code) : end_(2 * static_cast<int>(code.size())) {
-    std::memcpy(code_.data(), code.data(), code.size());
+    std::copy(code.begin(), code.end(), code_.begin());
     std::memset(code_.data() + code.size(), 0xFF, kSpare);
   }
   /// The next 15 nibbles or more, next one lowest; what stands behind the end is not of the code.
