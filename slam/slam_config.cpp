@@ -16,6 +16,7 @@ void read_store(ConfigSection section, StoreConfig& store) {
                        {"tiles", StoreKind::kTiles},
                        {"two_resolution", StoreKind::kTwoResolution},
                        {"lattice", StoreKind::kLattice}});
+  section.read("seal_after_scans", store.seal_after, {0, 30000});
   section.read("lattice_unit", store.lattice_unit, {1e-3, 10.0});
   section.read("percent_kept", store.percent_kept, {1e-6, 100.0});
   read_compression(section, store.compression);

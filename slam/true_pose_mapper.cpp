@@ -24,6 +24,7 @@ bool TruePoseMapper::update(const Reading& reading, const Pose2& T_map_base) {
   const std::vector<Beam> sweep = sweep_of(reading, config_.sweep);
   map_.load(window_of(sweep, T_map_base, config_.cell_size), scratch_);
   map_.commit(updater_.integrate(sweep, T_map_base, config_.log_odds, scratch_.log_odds), scratch_);
+  map_.settle(static_cast<std::uint64_t>(statistics_.registered) + 1);
 
   const auto count = static_cast<double>(++statistics_.registered);
   statistics_.payload_bytes += (static_cast<double>(meter_->payload()) - statistics_.payload_bytes) / count;

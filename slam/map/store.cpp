@@ -24,8 +24,10 @@ Map make(const StoreConfig& config, double cell_size, const std::optional<GridFr
       return DenseMap(cell_size, area, std::move(meter));
     case StoreKind::kTiles:
     case StoreKind::kTwoResolution:
-      return TileMap(cell_size, area,
-                     std::make_shared<TileStore>(std::move(meter), config.kind == StoreKind::kTwoResolution));
+      return TileMap(
+          cell_size, area,
+          std::make_shared<TileStore>(std::move(meter),
+                                      TileStoreConfig{config.kind == StoreKind::kTwoResolution, config.seal_after}));
     case StoreKind::kLattice:
       return LatticeMap(cell_size, area, std::move(meter));
     case StoreKind::kCoefficients:

@@ -32,7 +32,8 @@ struct StoreConfig {
   StoreKind kind = StoreKind::kDense;
   double percent_kept = 40.0;       ///< coefficients kept, of 100 per map cell (kCoefficients only), in (0, 100]
   CompressionConfig compression{};  ///< of kCoefficients
-  double lattice_unit = 0.4;        ///< log-odds of one level (kTiles and kLattice), > 0
+  int seal_after = 8;         ///< registered scans until an unchanged tile gets its dense code (kTiles); 0: at once
+  double lattice_unit = 0.4;  ///< log-odds of one level (kTiles and kLattice), > 0
 };
 
 /// A map window in plain form, with what the stores need to fill it. One per thread.

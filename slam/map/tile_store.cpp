@@ -1,6 +1,5 @@
 #include "slam/map/tile_store.hpp"
 
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <new>
@@ -15,15 +14,19 @@ namespace {
 
 constexpr std::size_t kTilesDecoded = 2048;
 constexpr std::int8_t kNotOccupied = 1;  // the highest level that counts as no obstacle
-constexpr std::uint16_t kIdleScans = 8;
 constexpr std::uint64_t kScansBetweenSealings = 4;
 constexpr std::uint32_t kForGood =
     std::numeric_limits<std::uint32_t>::max();  // owners of a tile that is never returned
 
+void free(const Tile& tile) {
+  tile.~Tile();
+  ::operator delete(const_cast<Tile*>(&tile));
+}
+
 }  // namespace
 
-TileStore::TileStore(std::shared_ptr<MemoryMeter> meter, bool two_resolutions)
-    : meter_(std::move(meter)), cache_(kTilesDecoded), two_resolutions_(two_resolutions) {
+TileStore::TileStore(std::shared_ptr<MemoryMeter> meter, const TileStoreConfig& config)
+    : meter_(std::move(meter)), cache_(kTilesDecoded), config_(config) {
   std::int64_t bytes = static_cast<std::int64_t>(sizeof(TileStore) + cache_.bytes() + sizeof(ContextModel));
   for (std::size_t level = 0; level < uniform_.size(); ++level) {
     const auto code = static_cast<std::uint8_t>(level);
@@ -35,7 +38,7 @@ TileStore::TileStore(std::shared_ptr<MemoryMeter> meter, bool two_resolutions)
 }
 
 TileStore::~TileStore() {
-  for (const Tile* tile : uniform_) ::operator delete(const_cast<Tile*>(tile));
+  for (const Tile* tile : uniform_) free(*tile);
 }
 
 const Tile* TileStore::allocate(TileCoding coding, std::span<const std::uint8_t> code) const {
@@ -44,7 +47,7 @@ const Tile* TileStore::allocate(TileCoding coding, std::span<const std::uint8_t>
 }
 
 void TileStore::simplify(TileCells& cells) const {
-  if (two_resolutions_ && nothing_above(cells, kNotOccupied)) coarsen(cells);
+  if (config_.two_resolutions && nothing_above(cells, kNotOccupied)) coarsen(cells);
 }
 
 const Tile* TileStore::make(const TileCells& cells) {
@@ -52,22 +55,39 @@ const Tile* TileStore::make(const TileCells& cells) {
     const std::int8_t level = cells.levels[0];
     return level == 0 ? nullptr : uniform_[static_cast<std::uint8_t>(level)];
   }
-  const Tile* tile = nullptr;
-  if (fits_nibbles(cells)) {
-    NibbleBuffer code;
-    const std::size_t size = encode_nibbles(cells, code);
-    if (two_resolutions_ && size > kCoarseCodeBytes && nothing_above(cells, kNotOccupied)) {
-      tile = allocate(TileCoding::kCoarse, encode_coarse(cells));
+  const Tile* tile = make_fast(cells);
+  if (config_.seal_after == 0 && is_fast(tile->coding_)) {
+    if (const Tile* dense = make_dense(cells, tile->coding_ == TileCoding::kNibbles, tile->memory())) {
+      free(*tile);
+      tile = dense;
     } else {
-      tile = allocate(TileCoding::kNibbles, {code.data(), size});
+      tile->kept_fast_ = true;
     }
-  } else {
-    ByteBuffer code;
-    tile = allocate(TileCoding::kBytes, {code.data(), encode_bytes(cells, code)});
   }
   count(*tile, 1);
   cache_.put(*tile, cells);
   return tile;
+}
+
+const Tile* TileStore::make_fast(const TileCells& cells) {
+  if (!fits_nibbles(cells)) {
+    ByteBuffer code;
+    return allocate(TileCoding::kBytes, {code.data(), encode_bytes(cells, code)});
+  }
+  NibbleBuffer code;
+  const std::size_t size = encode_nibbles(cells, code);
+  if (config_.two_resolutions && size > kCoarseCodeBytes && nothing_above(cells, kNotOccupied)) {
+    return allocate(TileCoding::kCoarse, encode_coarse(cells));
+  }
+  return allocate(TileCoding::kNibbles, {code.data(), size});
+}
+
+/// A tile in dense code if it takes less than `below` from the heap, or nullptr.
+const Tile* TileStore::make_dense(const TileCells& cells, bool nibbles, std::int64_t below) {
+  ContextBuffer code;
+  const auto size = encode_contexts(cells, nibbles, code);
+  if (!size || heap_bytes(sizeof(Tile) + *size) >= below) return nullptr;
+  return allocate(nibbles ? TileCoding::kContexts : TileCoding::kContextBytes, {code.data(), *size});
 }
 
 void TileStore::count(const Tile& tile, int sign) {
@@ -85,7 +105,8 @@ bool TileStore::begin_scan(std::uint64_t scan) {
 }
 
 bool TileStore::is_idle(const Tile& tile) const {
-  return is_fast(tile.coding_) && !tile.kept_fast_ && static_cast<std::uint16_t>(scan_ - tile.born_) >= kIdleScans;
+  return is_fast(tile.coding_) && !tile.kept_fast_ &&
+         static_cast<std::uint16_t>(scan_ - tile.born_) >= config_.seal_after;
 }
 
 const Tile* TileStore::sealed(const Tile& tile) {
@@ -102,14 +123,11 @@ const Tile* TileStore::sealed(const Tile& tile) {
 const Tile* TileStore::seal(const Tile& tile) {
   TileCells cells;
   cache_.with(tile, [&](const std::int8_t* levels) { std::memcpy(cells.levels.data(), levels, kTileCells); });
-  const bool nibbles = tile.coding_ == TileCoding::kNibbles;
-  ContextBuffer code;
-  const auto size = encode_contexts(cells, nibbles, code);
-  if (!size || heap_bytes(sizeof(Tile) + *size) >= tile.memory()) {
+  const Tile* dense = make_dense(cells, tile.coding_ == TileCoding::kNibbles, tile.memory());
+  if (dense == nullptr) {
     tile.kept_fast_ = true;
     return &tile;
   }
-  const Tile* dense = allocate(nibbles ? TileCoding::kContexts : TileCoding::kContextBytes, {code.data(), *size});
   count(*dense, 1);
   return dense;
 }
@@ -124,8 +142,7 @@ void TileStore::release(const Tile& tile) {
   if (tile.owners_.fetch_sub(1, std::memory_order_acq_rel) > 1) return;
   cache_.forget(tile);
   count(tile, -1);
-  tile.~Tile();
-  ::operator delete(const_cast<Tile*>(&tile));
+  free(tile);
 }
 
 }  // namespace cogslam

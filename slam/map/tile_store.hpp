@@ -11,13 +11,16 @@
 
 namespace cogslam {
 
+struct TileStoreConfig {
+  bool two_resolutions = false;  ///< coarsen tiles without an occupied cell (coarse_cells.hpp): not lossless any more
+  int seal_after = 8;            ///< registered scans without a change until a tile gets its dense code; 0: at once
+};
+
 /// What the tile maps of one filter have in common: it makes tiles, counts their owners and their bytes, and keeps the
 /// plain form of those in use. Outlives every map. Safe to use from several threads.
 class TileStore {
  public:
-  /// `two_resolutions`: tiles without an occupied cell are coarsened (coarse_cells.hpp). That loses detail of free
-  /// space, and is not the lossless store any more.
-  explicit TileStore(std::shared_ptr<MemoryMeter> meter, bool two_resolutions = false);
+  explicit TileStore(std::shared_ptr<MemoryMeter> meter, const TileStoreConfig& config = {});
   ~TileStore();
   TileStore(const TileStore&) = delete;
   TileStore& operator=(const TileStore&) = delete;
@@ -36,7 +39,7 @@ class TileStore {
   bool begin_scan(std::uint64_t scan);
   /// A number for each call of begin_scan that returned true, in 1..0xFFFE.
   [[nodiscard]] std::uint16_t sealing() const { return sealing_; }
-  /// True for a tile in fast code that was made eight scans ago or earlier and has not been tried.
+  /// True for a tile in fast code that was made seal_after scans ago or earlier and has not been tried.
   [[nodiscard]] bool is_idle(const Tile& tile) const;
   /// True for a tile that is_idle never holds for again.
   [[nodiscard]] static bool is_settled(const Tile& tile) { return !is_fast(tile.coding_) || tile.kept_fast_; }
@@ -49,12 +52,14 @@ class TileStore {
 
  private:
   const Tile* allocate(TileCoding coding, std::span<const std::uint8_t> code) const;
+  const Tile* make_fast(const TileCells& cells);
+  const Tile* make_dense(const TileCells& cells, bool nibbles, std::int64_t below);
   const Tile* seal(const Tile& tile);
   void count(const Tile& tile, int sign);
 
   std::shared_ptr<MemoryMeter> meter_;
   DecodeCache cache_;
-  bool two_resolutions_;
+  TileStoreConfig config_;
   std::array<const Tile*, 256> uniform_{};
   std::uint16_t scan_ = 0;
   std::uint16_t sealing_ = 0;

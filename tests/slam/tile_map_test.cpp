@@ -21,9 +21,11 @@ struct Pair {
 };
 
 struct World {
+  explicit World(const TileStoreConfig& config = {}) : store(std::make_shared<TileStore>(tile_meter, config)) {}
+
   std::shared_ptr<MemoryMeter> tile_meter = std::make_shared<MemoryMeter>();
   std::shared_ptr<MemoryMeter> twin_meter = std::make_shared<MemoryMeter>();
-  std::shared_ptr<TileStore> store = std::make_shared<TileStore>(tile_meter);
+  std::shared_ptr<TileStore> store;
 
   Pair empty(const std::optional<GridFrame>& area = std::nullopt) {
     return {TileMap(kCell, area, store), LatticeMap(kCell, area, twin_meter)};
@@ -87,9 +89,9 @@ void expect_exact_account(const std::vector<Pair>& pool, const MemoryMeter& mete
 }
 
 /// Particles in small: maps are scanned into, copied over each other and dropped in random order.
-void drive(const LatticeModel& model, const std::optional<GridFrame>& area, std::uint32_t entity) {
+void drive(const LatticeModel& model, const std::optional<GridFrame>& area, std::uint32_t entity, int seal_after = 8) {
   Rng rng({.seed = 7, .purpose = Purpose::kWorld, .entity = entity});
-  World world;
+  World world({.seal_after = seal_after});
   const CellWindow limits = area ? window_of(*area) : CellWindow{{-100000, -100000}, {100000, 100000}};
   {
     std::vector<Pair> pool(5, world.empty(area));
@@ -130,6 +132,12 @@ TEST(TileMap, EqualsItsPlainTwinInsideAnArea) {
 TEST(TileMap, EqualsItsPlainTwinOnAFineLattice) {
   const LatticeModel fine{.unit = 0.05, .hit = 16, .free = -8, .min = -40, .max = 64};
   for (std::uint32_t round = 0; round < 4; ++round) drive(fine, std::nullopt, 200 + round);
+}
+
+TEST(TileMap, EqualsItsPlainTwinWhenItSealsAtOnceOrSoon) {
+  for (const int scans : {0, 1}) {
+    for (std::uint32_t round = 0; round < 4; ++round) drive({}, std::nullopt, 300 + round, scans);
+  }
 }
 
 TEST(TileMap, GrowsFarInEveryDirection) {
@@ -177,7 +185,7 @@ void write_tile(Pair& pair, Cell low, const TileCells& cells) {
 
 TEST(TileMap, KeepsTilesFineWhereTheyHoldAnObstacleWithTwoResolutions) {
   const auto meter = std::make_shared<MemoryMeter>();
-  TileMap map(kCell, std::nullopt, std::make_shared<TileStore>(meter, true));
+  TileMap map(kCell, std::nullopt, std::make_shared<TileStore>(meter, TileStoreConfig{.two_resolutions = true}));
   Rng rng({.seed = 3, .purpose = Purpose::kWorld});
   Grid<std::int8_t> scratch;
   const CellWindow both{{0, 0}, {2 * kTileSide - 1, kTileSide - 1}};
