@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "core/parallel.hpp"
 #include "core/rng.hpp"
 #include "slam/map/dense_map.hpp"
 #include "slam/map/lattice.hpp"
@@ -138,6 +139,30 @@ TEST(TileMap, EqualsItsPlainTwinWhenItSealsAtOnceOrSoon) {
   for (const int scans : {0, 1}) {
     for (std::uint32_t round = 0; round < 4; ++round) drive({}, std::nullopt, 300 + round, scans);
   }
+}
+
+/// Eight maps that share their past are scanned into at once, settled and shared anew; returns their hash and bytes.
+std::pair<std::uint64_t, std::int64_t> run_with(int threads) {
+  World world;
+  Workers workers(threads);
+  std::vector<Pair> pool(8, world.empty());
+  for (std::uint32_t step = 0; step < 40; ++step) {
+    workers.for_each(pool.size(), [&](std::size_t p, int) {
+      Rng rng({.seed = step, .purpose = Purpose::kWorld, .entity = static_cast<std::uint32_t>(p / 2)});
+      scan(pool[p], rng, {}, {{-300, -300}, {300, 300}});
+    });
+    for (Pair& pair : pool) pair.tiles.settle(step);
+    if (step % 3 == 0) pool[step % 8] = pool[(step + 5) % 8];
+  }
+  Hash hash;
+  for (const Pair& pair : pool) pair.tiles.add_to(hash);
+  return {hash.value(), world.tile_meter->total()};
+}
+
+TEST(TileMap, IsTheSameFromAnyNumberOfThreads) {
+  const auto alone = run_with(1);
+  EXPECT_EQ(run_with(2), alone);
+  EXPECT_EQ(run_with(5), alone);
 }
 
 TEST(TileMap, GrowsFarInEveryDirection) {
