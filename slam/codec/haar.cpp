@@ -9,8 +9,6 @@
 namespace cogslam {
 namespace {
 
-constexpr int kMaxSide = 32768;
-
 std::size_t product(int a, int b) { return static_cast<std::size_t>(a) * static_cast<std::size_t>(b); }
 
 int log2_of(int power_of_two) { return std::countr_zero(static_cast<unsigned>(power_of_two)); }

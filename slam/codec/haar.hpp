@@ -17,7 +17,9 @@ struct HaarCanvas {
   int height = 0;      ///< power of two >= map_height
   int levels = 0;      ///< log2 of the longer side
 
-  /// The smallest canvas of a map; both sides in [1, 32768].
+  static constexpr int kMaxSide = 32768;  ///< of a map
+
+  /// The smallest canvas of a map; both sides in [1, kMaxSide].
   static HaarCanvas covering(int map_width, int map_height);
 
   /// Cells of the map: the n of "percent of data".

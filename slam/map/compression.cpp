@@ -1,7 +1,9 @@
 #include "slam/map/compression.hpp"
 
+#include <algorithm>
 #include <span>
 
+#include "slam/codec/haar.hpp"
 #include "slam/codec/top_m.hpp"
 
 namespace cogslam {
@@ -92,6 +94,11 @@ std::optional<CompressionTrouble> trouble_of(const CompressionConfig& config) {
 
 std::optional<CompressionTrouble> trouble_of(const CompressionConfig& config, double percent, int width, int height) {
   if (auto trouble = trouble_of(config)) return trouble;
+  if (config.basis == BasisKind::kHaar && std::max(width, height) > HaarCanvas::kMaxSide) {
+    return CompressionTrouble{"basis", "'haar' takes maps of at most " + std::to_string(HaarCanvas::kMaxSide) +
+                                           " cells on a side, here " + std::to_string(width) + " x " +
+                                           std::to_string(height) + "; 'haar_1d' takes any"};
+  }
   const Basis basis(config.basis, width, height);
   const std::size_t n = basis.size(), m = kept_count(basis.cells(), percent);
   if (!exists_for(config.compressor, n)) {
