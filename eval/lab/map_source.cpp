@@ -1,7 +1,9 @@
 #include "eval/lab/map_source.hpp"
 
 #include <array>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "core/check.hpp"
@@ -38,6 +40,10 @@ std::size_t read_row(std::string_view line, SourcePlace place, std::vector<float
     if (!value) {
       place.column = static_cast<int>(begin) + 1;
       throw InputError(place, "expected a number, found '" + std::string(field) + "'");
+    }
+    if (std::abs(*value) > static_cast<double>(std::numeric_limits<float>::max())) {
+      place.column = static_cast<int>(begin) + 1;
+      throw InputError(place, "expected a number in the range of a float, found '" + std::string(field) + "'");
     }
     values.push_back(static_cast<float>(*value));
     begin = end + 1;

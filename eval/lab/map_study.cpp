@@ -8,6 +8,7 @@
 #include "slam/codec/coefficient_code.hpp"
 #include "slam/codec/haar.hpp"
 #include "slam/codec/top_m.hpp"
+#include "slam/map/compression.hpp"
 #include "slam/map/log_odds.hpp"
 
 namespace cogslam {
@@ -49,39 +50,23 @@ void count_bytes(const Combination& combination, std::size_t among, MapScore& sc
   }
 }
 
-Recovery recovery_for(const std::string& name, const GridFrame& frame) {
-  Recovery recovery = *recovery_named(name);
-  if (auto* tv = std::get_if<TotalVariation>(&recovery)) {
-    tv->width = static_cast<std::size_t>(frame.width);
-    tv->height = static_cast<std::size_t>(frame.height);
-  }
-  return recovery;
-}
-
-std::optional<std::string> why_no_compressor(const Combination& c, std::size_t m, std::size_t n) {
-  if (m > n) return "more measurements than coefficients";
-  if (c.compressor == CompressorKind::kTopM || exists_for(c.compressor, n)) return std::nullopt;
-  return std::string(name_of(c.compressor)) + " does not exist for " + std::to_string(n) + " coefficients";
-}
-
-/// Total variation looks at cells, so coefficients must be cells.
-std::optional<std::string> why_no_recovery(const Combination& c, const Recovery& recovery, const MapView& H) {
-  if (std::holds_alternative<TotalVariation>(recovery) && c.basis != BasisKind::kIdentity) {
-    return "tv recovers maps: it needs the identity basis";
-  }
-  return why_not(recovery, H);
-}
-
 void measure(const Combination& combination, const MapStudy& study, const Grid<float>& map, MapScore& score) {
   const GridFrame& frame = map.frame();
-  Basis basis(combination.basis, frame.width, frame.height);
+  const CompressionConfig how{.basis = combination.basis,
+                              .compressor = combination.compressor,
+                              .recovery = *recovery_named(combination.recovery),
+                              .compressor_seed = study.seed};
+  if (const auto trouble = trouble_of(how, combination.percent, frame.width, frame.height)) {
+    score.not_valid = trouble->message;
+    return;
+  }
+  Basis basis(how.basis, frame.width, frame.height);
   const std::size_t wanted = std::max<std::size_t>(kept_count(basis.cells(), combination.percent), 1);
-  if ((score.not_valid = why_no_compressor(combination, wanted, basis.size()))) return;
   const std::vector<double> cells(map.values().begin(), map.values().end());
   std::vector<double> c(basis.size());
   std::optional<Compressor> random;
-  if (combination.compressor != CompressorKind::kTopM) {
-    random = make_compressor(combination.compressor, wanted, basis.size(), study.seed);
+  if (how.compressor != CompressorKind::kTopM) {
+    random = make_compressor(how.compressor, wanted, basis.size(), how.compressor_seed);
   }
   const Stopwatch compressing(Clock::kThreadCpu);
   basis.forward(cells, c);
@@ -91,8 +76,7 @@ void measure(const Combination& combination, const MapStudy& study, const Grid<f
   score.compress_ms = 1e3 * compressing.seconds();
   for (double& value : y) value = static_cast<double>(static_cast<float>(value));
   score.m = y.size();
-  const Recovery recovery = recovery_for(combination.recovery, frame);
-  if ((score.not_valid = why_no_recovery(combination, recovery, H))) return;
+  const Recovery recovery = recovery_for(how, frame.width, frame.height);
   const Stopwatch recovering(Clock::kThreadCpu);
   const Recovered recovered = recover(recovery, H, y);
   std::vector<double> back(cells.size());

@@ -29,6 +29,9 @@ TEST(LabMap, NamesThePlaceOfWhatIsWrong) {
   const std::string word = folder.file("word.csv", "1,2\n3,x\n"), ragged = folder.file("ragged.csv", "1,2\n3\n");
   EXPECT_EQ(error_text([&] { lab_map(word, 0.1); }), word + ":2:3: expected a number, found 'x'");
   EXPECT_EQ(error_text([&] { lab_map(ragged, 0.1); }), ragged + ":2: 1 values in this row, expected 2 as in the first");
+  const std::string huge = folder.file("huge.csv", "1,2\n3,-1e39\n");
+  EXPECT_EQ(error_text([&] { lab_map(huge, 0.1); }),
+            huge + ":2:3: expected a number in the range of a float, found '-1e39'");
   const std::string cut = folder.file("cut.npy", map_npy_bytes(ideal_room_map("simple", 0.5)).substr(0, 130));
   EXPECT_THAT(error_text([&] { lab_map(cut, 0.1); }), HasSubstr("bytes of values, expected"));
   EXPECT_THAT(error_text([&] { lab_map(folder.path() / "none.csv", 0.1); }), HasSubstr("none.csv"));
@@ -60,10 +63,23 @@ TEST(MapStudy, IsTheSameForAnyNumberOfThreadsAndSaysWhatIsNotValid) {
   Workers one(1), two(2);
   const std::string csv = map_csv(run_map_study(study, map, one, {}));
   EXPECT_EQ(csv, map_csv(run_map_study(study, map, two, {})));
-  EXPECT_THAT(csv, HasSubstr("dct,hadamard,fast_l2,30,,,,,,,,\"hadamard does not exist for"));
-  EXPECT_THAT(csv, HasSubstr("tv recovers maps: it needs the identity basis"));
+  EXPECT_THAT(csv, HasSubstr("dct,hadamard,fast_l2,30,,,,,,,,\"'hadamard' needs a power of two of coefficients"));
+  EXPECT_THAT(csv, HasSubstr("it needs basis 'identity' and compressor 'selection', here 'haar' and 'top_m'"));
   EXPECT_THAT(error_text([&] { run_map_study({.recoveries = {"fast_l3"}, .percents = {30}}, map, one, {}); }),
               "unknown recovery 'fast_l3'; did you mean 'fast_l2'?");
+}
+
+TEST(MapStudy, RefusesWhatIsTooLargeInsteadOfTrying) {
+  Workers workers(1);
+  const auto reason = [&](const MapStudy& study, int width, int height) {
+    const Grid<float> map({.width = width, .height = height});
+    return run_map_study(study, map, workers, {}).front().not_valid.value_or("valid");
+  };
+  EXPECT_EQ(reason({.compressors = {CompressorKind::kGaussian}, .percents = {40}}, 300, 300),
+            "'gaussian' stores m x n numbers, at most 16777216, here 36000 x 262144");
+  EXPECT_EQ(reason({.percents = {40}}, 32769, 1),
+            "'haar' takes maps of at most 32768 cells on a side, here 32769 x 1; 'haar_1d' takes any");
+  EXPECT_EQ(reason({.percents = {40}}, 32768, 1), "valid");
 }
 
 }  // namespace
