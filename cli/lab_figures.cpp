@@ -53,7 +53,7 @@ Command lab_figures_command(CLI::App& lab) {
   CLI::App* parser = lab.add_subcommand("figures", "figures 1 to 11 of the paper as CSV, SVG and PNG");
   parser->add_option("NUMBER", arguments->numbers, "1 to 11; all where none is given")
       ->check(CLI::Range(kFirstFigure, kLastFigure));
-  parser->add_option("--seeds", arguments->options.seeds, "random compression matrices")
+  parser->add_option("--seeds", arguments->options.seeds, "random compression matrices; an interval needs two")
       ->check(CLI::Range(2, 100000))
       ->capture_default_str();
   parser->add_option("--out", arguments->out, "folder")->type_name("DIR")->capture_default_str();

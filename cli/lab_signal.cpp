@@ -42,8 +42,8 @@ Command lab_signal_command(CLI::App& lab) {
   auto arguments = std::make_shared<SignalArguments>();
   CLI::App* parser = lab.add_subcommand("signal", "the signal of eq. (24) at 5, 10, ..., 100 % of its data");
   parser->add_option("--method", arguments->methods, "a recovery, may be repeated; all where none is named");
-  parser->add_option("--seeds", arguments->options.seeds, "random compression matrices")
-      ->check(CLI::Range(1, 100000))
+  parser->add_option("--seeds", arguments->options.seeds, "random compression matrices; an interval needs two")
+      ->check(CLI::Range(2, 100000))
       ->capture_default_str();
   parser->add_flag("--csv", arguments->csv, "print the mean errors as CSV, in place of the table");
   parser->add_option("--out", arguments->out, "folder for the plots of error and time (figures 7 and 8)");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/check.hpp"
+#include "core/error.hpp"
 #include "core/output_file.hpp"
 
 namespace cogslam {
@@ -32,7 +33,9 @@ LabFigure lab_figure(int number, const FigureConfig& config, Workers& workers, c
 }
 
 void write_figure(const std::filesystem::path& folder, int number, const LabFigure& figure) {
-  std::filesystem::create_directories(folder);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError({folder.string()}, "cannot be written: " + error.message());
   const std::string stem = fmt::format("figure_{:02}", number);
   write_file(folder / (stem + ".csv"), figure.csv);
   write_file(folder / (stem + ".svg"), chart_svg(figure.sheet));

@@ -99,10 +99,10 @@ std::string signal_times_csv(const SignalStudy& study, const std::vector<SignalS
 
 std::string signal_table(const SignalStudy& study, const std::vector<SignalScore>& scores) {
   std::string text =
-      fmt::format("{:<12}{:>8}{:>6}{:>14}{:>14}{:>12}\n", "method", "percent", "m", "mean MSE", "+- (95 %)", "CPU ms");
+      fmt::format("{:<17}{:>7}{:>6}{:>14}{:>14}{:>12}\n", "method", "percent", "m", "mean MSE", "+- (95 %)", "CPU ms");
   for (const SignalScore& s : scores) {
     const MeanInterval mse = mean_interval(s.mse), t = mean_interval(s.cpu_seconds);
-    text += fmt::format("{:<12}{:>8}{:>6}{:>14.4g}{:>14.2g}{:>12.4f}\n", study.methods[s.method].name, s.percent, s.m,
+    text += fmt::format("{:<17}{:>7}{:>6}{:>14.4g}{:>14.2g}{:>12.4f}\n", study.methods[s.method].name, s.percent, s.m,
                         mse.mean, mse.half_width, 1e3 * t.mean);
   }
   return text;

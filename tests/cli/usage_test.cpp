@@ -40,6 +40,8 @@ TEST(Usage, NamesWhatIsMissingOrUnknown) {
   expect_usage_error({"relay", "a.log"}, "unknown command 'relay'; did you mean 'replay'?");
   expect_usage_error({"lab", "sgnal"}, "unknown command 'sgnal'; did you mean 'signal'?");
   expect_usage_error({"lab", "tables"}, "unknown command 'tables', expected one of signal, map, figures");
+  expect_usage_error({"lab", "signal", "--seeds", "1"}, "--seeds: Value 1 not in range 2 to 100000");
+  expect_usage_error({"lab", "figures", "1", "--out", kSimple + "/figures"}, kSimple + "/figures: cannot be written");
   expect_usage_error({"run"}, "SCENARIO is required");
   expect_usage_error({"run", kSimple, "--speed", "3"}, "--speed");
   expect_usage_error({"run", kSimple, "-j", "0"}, "--threads");
