@@ -2,13 +2,14 @@
 
 #include "worlds/clearance.hpp"
 #include "worlds/free_space.hpp"
+#include "worlds/hallway.hpp"
 #include "worlds/polygon.hpp"
 #include "worlds/rooms.hpp"
 
 namespace cogslam {
 namespace {
 
-enum class WorldKind { kSimple, kCornered, kCluttered, kPolygons };
+enum class WorldKind { kSimple, kCornered, kCluttered, kHallway, kPolygons };
 
 /// A start nearer to a surface than this [m] is on it.
 constexpr double kOnSurface = 1e-6;
@@ -57,6 +58,12 @@ World read_polygons(ConfigSection& section) {
   for (ConfigSection& wall : section.sections("walls")) world.walls.push_back(read_corners(wall));
   if (world.walls.empty()) section.fail("walls", "polygons without walls, expected at least one loop");
   return world;
+}
+
+/// Walls, and the obstacles and the start that belong to a room.
+World read_walls(ConfigSection& section, WorldKind kind) {
+  if (kind == WorldKind::kHallway) return hallway();
+  return kind == WorldKind::kPolygons ? read_polygons(section) : read_room(section, kind);
 }
 
 void read_obstacles(ConfigSection& section, World& world) {
@@ -120,8 +127,9 @@ World read_world(ConfigSection& section) {
                       {{"simple", WorldKind::kSimple},
                        {"cornered", WorldKind::kCornered},
                        {"cluttered", WorldKind::kCluttered},
+                       {"hallway", WorldKind::kHallway},
                        {"polygons", WorldKind::kPolygons}});
-  World world = kind == WorldKind::kPolygons ? read_polygons(section) : read_room(section, kind);
+  World world = read_walls(section, kind);
   read_obstacles(section, world);
   read_start(section.section("start"), world.start);
   read_floor(section.section("floor"), world.floor);

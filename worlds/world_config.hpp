@@ -7,8 +7,8 @@ namespace cogslam {
 
 /// Reads the `world:` section of a scenario and builds the world. Lengths in metres, all keys optional:
 ///
-///     kind: simple | cornered | cluttered | polygons
-///     width_m, length_m, variant        # of a room; see rooms.hpp
+///     kind: simple | cornered | cluttered | hallway | polygons
+///     width_m, length_m, variant        # of a room; see rooms.hpp. The hallway has none: see hallway.hpp
 ///     walls:                            # of `polygons`: loops, at least one
 ///       - corners_m: [[-2, -1.5], [2, -1.5], [2, 1.5], [-2, 1.5]]
 ///     obstacles:                        # loops or boxes, in addition to those of the room

@@ -70,7 +70,7 @@ LabFigure figure_overlap(const SenseFigureConfig& /*config*/, Workers& /*workers
   }
   const auto chart = [&](const char* name, const Grid<float>& grid, const Pose2& T) {
     return Chart{.title = fmt::format("{}: {}, rms {:.3f}", name, error_of(pair, T), rms(grid)),
-                 .x = {.label = "red: occupied in the new map, blue: in the old"},
+                 .x = {.label = "orange: occupied in the new map, blue: in the old"},
                  .image = ChartImage{.values = grid, .diverging = true}};
   };
   figure.sheet = {.heading = "Figure 3: the overlap of two partial maps",

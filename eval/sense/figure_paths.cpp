@@ -23,7 +23,7 @@ std::vector<Pose2> poses_of(const HallwayRun& run, int figure) {
   return poses;
 }
 
-/// What the pictures show: the hallway and a little around it.
+/// What the pictures show: the hallway and a little around it, alike for all poses; what lies farther out is cut off.
 GridFrame shown() { return GridFrame::covering(hallway().bounds(), kCellSize, 8); }
 
 Grid<float> stitched(const HallwayRun& run, const std::vector<Pose2>& poses) {

@@ -12,8 +12,9 @@ namespace cogslam {
 
 /// How a real log is corrected.
 struct LogPathConfig {
-  PartialMapConfig map{};
-  OffsetConfig offset{.observable_share = 0.05};  ///< odometry is a good prior: stricter than by default
+  PartialMapConfig map{.model = {.range_max_m = 8.0}};  ///< sharp walls: blurred ones lose the way on real rooms
+  OffsetConfig offset{.outlier = 0.08,
+                      .observable_share = 0.05};  ///< odometry is a good prior: stricter than by default
   int samples = 2048;                             ///< cells of each partial map that are measured
   double step_m = 0.5;                            ///< a scan becomes a partial map after so much odometric travel
   double step_turn = radians(10.0);               ///< or so much turn [rad]

@@ -17,10 +17,10 @@ struct OffsetConfig {
   std::vector<double> blur_cells{4.0, 2.0, 1.0, 0.5};  ///< Gaussian sigma of each pass, coarse to fine
   int iterations = 60;                                 ///< of Gauss-Newton in each pass, at most
   double stop_cells = 1e-3;                            ///< a smaller step ends a pass
-  double outlier = 0.08;  ///< difference of two cells at which one counts half (Cauchy); far larger ones hardly
+  double outlier = 0.05;  ///< difference of two cells at which one counts half (Cauchy); far larger ones hardly
   double prior_sigma_cells = 3.0;           ///< of the prior's position, each way
   double prior_sigma_turn = radians(10.0);  ///< of the prior's heading [rad]
-  double observable_share = 0.02;           ///< an eigenvalue below this share of the largest is not observed
+  double observable_share = 0.01;           ///< an eigenvalue below this share of the largest is not observed
   int least_overlap_cells = 40;             ///< fewer common cells give no estimate
 
   /// What is inconsistent and what was expected; empty if nothing is.

@@ -6,8 +6,8 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/rng.hpp"
-#include "slam/codec/compressor.hpp"
-#include "slam/recover/total_variation.hpp"
+#include "slam/mobile_sensing/cell_samples.hpp"
+#include "slam/mobile_sensing/field_recovery.hpp"
 
 namespace cogslam {
 namespace {
@@ -62,15 +62,10 @@ PartialMap recover_from_samples(const PartialMap& map, int samples, std::uint32_
   }
   if (static_cast<std::size_t>(samples) == n) return map;
   const std::uint32_t drawn = Rng({.seed = seed, .purpose = Purpose::kCompression, .entity = index}).bits();
-  Compressor phi = make_compressor(CompressorKind::kSelection, static_cast<std::size_t>(samples), n, drawn);
-  std::vector<double> y(phi.rows());
-  phi.apply(map.occupancy.values(), y);
-  const TotalVariation tv{.width = static_cast<std::size_t>(frame.width),
-                          .height = static_cast<std::size_t>(frame.height),
-                          .stop_at_gap = 1e-2,
-                          .max_iterations = 2000};
+  const CellSamples sensed = sense_random_cells(frame.width, frame.height, static_cast<std::size_t>(samples), drawn,
+                                                [&map](std::uint32_t cell) { return map.occupancy.values()[cell]; });
   Grid<double> recovered(frame);
-  recovered.values() = recover(tv, phi, y).x;
+  recovered.values() = recover_field({.stop_at_gap = 1e-2, .max_iterations = 2000}, sensed).field;
   return with_weights(std::move(recovered));
 }
 

@@ -13,7 +13,7 @@ struct PartialMapConfig {
   int across_cells = 64;  ///< along y, half to either side
   int ahead_cells = 32;   ///< along x
   double cell_size_m = 0.25;
-  LaserModel model{.range_max_m = 8.0};
+  LaserModel model{.sigma_m = 0.2, .range_max_m = 8.0};  ///< blurred by nearly a cell, walls compare better
 
   /// Cells of a partial map, the paper's N.
   [[nodiscard]] int cells() const { return across_cells * ahead_cells; }

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -61,6 +62,59 @@ TEST(Sense, RecoverSaysWhatIsWrong) {
   const std::string empty = folder.file("empty.csv", "\n");
   EXPECT_EQ(error({empty}), "cogslam: " + empty + ": no values, expected a row of numbers per line\n");
   EXPECT_THAT(error({}), HasSubstr("MAP is required"));
+}
+
+TEST(Sense, OffsetsPrintsBothKindsOfMapsOrCsv) {
+  const Outcome both = run_program({"sense", "offsets", "--draws", "4", "-j", "1"});
+  EXPECT_EQ(both.code, kOk) << both.err;
+  EXPECT_THAT(both.out, StartsWith("drawn: 4 pairs, seed 1, up to 3 cells and 10 deg, 2048 of 2048 cells sampled\n"));
+  EXPECT_THAT(both.out, HasSubstr("\nscanned: 4 pairs, seed 1, "));
+  const Outcome csv = run_program({"sense", "offsets", "--draws", "3", "--source", "scanned", "--csv"});
+  EXPECT_THAT(csv.out, StartsWith("x_m,y_m,heading_deg,dx_m,"));
+  EXPECT_EQ(std::count(csv.out.begin(), csv.out.end(), '\n'), 4);
+}
+
+TEST(Sense, HallwayPrintsARowForEachDrive) {
+  const Outcome table = run_program({"sense", "hallway", "--seeds", "1", "--samples", "2048", "--step", "4"});
+  EXPECT_EQ(table.code, kOk) << table.err;
+  EXPECT_THAT(table.out, StartsWith("hallway, looks at most 4 m and 30 deg apart, partial maps of 64 x 32 cells, "));
+  EXPECT_THAT(table.out, HasSubstr("\nworst ratio: heading 0."));
+}
+
+TEST(Sense, MotionSaysWhatIsWrong) {
+  const auto error = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "sense");
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, kUsageError);
+    EXPECT_EQ(outcome.out, "");
+    return outcome.err;
+  };
+  EXPECT_EQ(error({"offsets", "--samples", "2049"}),
+            "cogslam: samples: expected 0 (all) to 2048, the cells of a partial map, found 2049\n");
+  EXPECT_EQ(error({"offsets", "--source", "scaned"}), "cogslam: unknown source 'scaned'; did you mean 'scanned'?\n");
+  EXPECT_EQ(error({"hallway", "--samples", "0"}),
+            "cogslam: samples: expected 1 to 2048, the cells of a partial map, found 0\n");
+  EXPECT_EQ(error({"hallway", "--samples", "2049"}),
+            "cogslam: samples: expected 1 to 2048, the cells of a partial map, found 2049\n");
+  EXPECT_EQ(error({"hallway", "--step", "0"}), "cogslam: step_m: expected more than 0\n");
+}
+
+TEST(Sense, LogSaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  const std::string log = folder.file("odometry.clf", "ODOM 0 0 0 0 0 0 1.0 host 1.0\nODOM 1 0 0 0 0 0 2.0 host 2.0\n");
+  const std::string relations = folder.file("log.relations", "1.0 2.0 1 0 0 0 0 0\n");
+  const auto error = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"sense", "log"});
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, kUsageError);
+    return outcome.err;
+  };
+  EXPECT_EQ(error({log, "--relations", relations}),
+            "cogslam: " + log + ": no laser scan in the log, expected FLASER or ROBOTLASER1 lines\n");
+  EXPECT_THAT(error({"nowhere.clf", "--relations", relations}), StartsWith("cogslam: nowhere.clf: "));
+  EXPECT_EQ(error({log, "--relations", relations, "--samples", "0"}),
+            "cogslam: samples: expected 1 to 2048, the cells of a partial map, found 0\n");
+  EXPECT_THAT(error({log}), HasSubstr("--relations is required"));
 }
 
 TEST(Sense, FiguresWritesFilesAndNamesThoseThereAre) {

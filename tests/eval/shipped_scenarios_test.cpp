@@ -53,6 +53,22 @@ TEST_P(ShippedScenario, ComparesBothStoresAtFourCellSizes) {
 INSTANTIATE_TEST_SUITE_P(Rooms, ShippedScenario, testing::Values("simple", "cornered", "cluttered"),
                          [](const auto& tested) { return std::string(tested.param); });
 
+TEST(ShippedHallway, DrivesFromTheLowerHallwayRoundACornerWithoutTouchingAnything) {
+  const Scenario scenario = shipped("hallway");
+  EXPECT_EQ(scenario.name, "hallway");
+  const Drive drive = record_drive(scenario);
+  EXPECT_FALSE(drive.stuck);
+  double way = 0.0;
+  Eigen::Vector2d before = scenario.world.start.position();
+  for (const TruePose& pose : drive.truth.poses) {
+    EXPECT_GT(clearance(drive.truth.world, pose.T_map_base.position()), kBodyRadius) << pose.stamp.seconds() << " s";
+    way += (pose.T_map_base.position() - before).norm();
+    before = pose.T_map_base.position();
+  }
+  EXPECT_GT(way, 40.0);
+  EXPECT_GT(before.y(), scenario.world.start.y + 10.0) << "the corner was turned";
+}
+
 TEST(ResolvedScenario, LoadsAsItself) {
   const Scenario scenario = shipped("cluttered");
   EXPECT_EQ(read_scenario(ConfigSection::parse(scenario.resolved, "resolved"), "other").resolved, scenario.resolved);

@@ -1,11 +1,13 @@
 #include "worlds/world_config.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <string>
 
 #include "tests/support/error_text.hpp"
+#include "worlds/hallway.hpp"
 #include "worlds/polygon.hpp"
 #include "worlds/rooms.hpp"
 
@@ -40,6 +42,12 @@ TEST(WorldConfig, BuildsEveryKindOfRoom) {
   EXPECT_EQ(world_of("{kind: cluttered}").obstacles, cluttered_room().obstacles);
   EXPECT_EQ(world_of("{kind: cluttered}").start, cluttered_room().start);
   EXPECT_EQ(world_of("{kind: simple, width_m: 7, length_m: 9}").walls, simple_room({7, 9}).walls);
+}
+
+TEST(WorldConfig, BuildsTheHallwayWhichHasOneSizeOnly) {
+  EXPECT_EQ(world_of("{kind: hallway}").walls, hallway().walls);
+  EXPECT_EQ(world_of("{kind: hallway}").start, hallway().start);
+  EXPECT_THAT(message_of("{kind: hallway, width_m: 7}"), testing::HasSubstr("width_m"));
 }
 
 TEST(WorldConfig, ReadsPolygonsBoxesStartFloorAndPatches) {
