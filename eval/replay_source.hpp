@@ -20,7 +20,8 @@ struct ReplayConfig {
 };
 
 /// Defaults for a robot of unknown make: an indoor robot with one laser, driven for minutes to hours. Fewer particles
-/// than in the rooms, since the proposal follows the scans; smaller cells; a scan is registered every 0.3 m or 15 deg.
+/// than in the rooms, since the proposal follows the scans; smaller cells; every scan is tracked, and one
+/// registered every 0.3 m or 15 deg.
 SlamConfig log_defaults();
 
 /// Reads `seed`, `log`, `map.area_m` ([x0, y0, x1, y1], needed by the store `coefficients`), `slam` and `variants`.

@@ -96,14 +96,16 @@ void score_relations(const VariantRun& run, const Recording& recording, std::spa
 void run_filter(const VariantConfig& variant, std::uint32_t seed, const Recording& recording, Workers& workers,
                 const Progress& progress, VariantRun& run) {
   FastSlam slam(variant.slam, seed, workers);
+  std::vector<Pose2> odometry;
   for (std::size_t i = 0; i < recording.readings.size(); ++i) {
     if (progress) {  // each time: with many particles one reading takes seconds
       progress(static_cast<double>(i) / static_cast<double>(recording.readings.size()));
     }
     slam.update(recording.readings[i]);
     run.online.push_back(slam.T_map_base());
+    odometry.push_back(slam.T_odom_base());
   }
-  run.final = complete_path(odometry_path(recording), slam.best_path());
+  run.final = complete_path(odometry, slam.best_path());
   run.map = slam.best_map();
   add_statistics(slam.statistics(), run.record.scores);
   run.record.scores.state_hash = Hash().add(slam.state_hash()).hex();

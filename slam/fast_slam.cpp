@@ -21,6 +21,10 @@ struct FastSlam::WorkerScratch {
 FastSlam::FastSlam(const SlamConfig& config, std::uint32_t seed, Workers& workers)
     : config_(config), seed_(seed), workers_(workers), meter_(std::make_shared<MemoryMeter>()), motion_(config.motion) {
   config.check();
+  if (config.proposal == Proposal::kScanMatched && config.tracker.used) tracker_.emplace(config.tracker, config.sweep);
+  if (keeps_levels(config.store.kind) && config.likelihood.model == ScanModel::kLikelihoodField) {
+    levels_ = lattice_model(config.log_odds, config.store.lattice_unit);
+  }
   const MapStore empty(config.store, config.cell_size, config.map_frame(), meter_);
   const double bias_variance = config.compass.bias_sigma * config.compass.bias_sigma;
   particles_.assign(static_cast<std::size_t>(config.particles),
@@ -31,17 +35,32 @@ FastSlam::FastSlam(const SlamConfig& config, std::uint32_t seed, Workers& worker
 FastSlam::~FastSlam() = default;
 
 bool FastSlam::update(const Reading& reading) {
-  motion_.add(reading.motion);
+  follow(reading);
   const bool first = statistics_.registered == 0;
   const bool registered = reading.scan && (first || config_.registration.due(motion_.T_last_now()));
   if (registered) {
     step(reading);
     motion_.restart();
+    if (tracker_) tracker_->make_key();
   } else if (reading.scan) {
     ++statistics_.tracked;
   }
   ++records_;
   return registered;
+}
+
+void FastSlam::follow(const Reading& reading) {
+  if (!tracker_) {
+    motion_.add(reading.motion);
+    T_odom_base_ = T_odom_base_ * reading.motion.T_before_now;
+    return;
+  }
+  // The spread stays odometry's: each particle's map was made of the scans that the tracker matched, and its own
+  // certainty would count them twice. Loops then stay open more often (measured on the Intel log).
+  tracker_->follow(reading);
+  motion_.add(reading.motion);
+  motion_.correct(tracker_->T_key_now());
+  T_odom_base_ = tracker_->T_track_base();
 }
 
 // Algorithms 1 and 3. The lines are those of Alg. 3; with the dense store, 5 and 8 copy plain cells (Alg. 1).
@@ -52,6 +71,8 @@ void FastSlam::step(const Reading& reading) {
     advance(particles_[p], p, reading, *scratch_[static_cast<std::size_t>(worker)]);
   });
   record_paths();
+  // One after another: what is sealed is the same for any number of threads.
+  for (Particle& particle : particles_) particle.map.settle(static_cast<std::uint64_t>(statistics_.registered) + 1);
   account();
   resample_if_due();  // (12)-(15)
 }
@@ -71,23 +92,39 @@ void FastSlam::advance(Particle& particle, std::size_t slot, const Reading& read
   }
   particle.path_log_weight += particle.log_weight - before;
   // (7), (8): alpha - beta is added to the loaded window, and the store takes the changed cells back (eqs. 18, 22).
-  const CellWindow changed =
-      scratch.updater.integrate(sweep_, particle.T_map_base, config_.log_odds, scratch.map.log_odds);
-  particle.map.commit(changed, scratch.map);
+  if (levels_) {
+    particle.map.commit_levels(scratch.updater.integrate(sweep_, particle.T_map_base, *levels_, scratch.map.levels),
+                               scratch.map);
+  } else {
+    particle.map.commit(scratch.updater.integrate(sweep_, particle.T_map_base, config_.log_odds, scratch.map.log_odds),
+                        scratch.map);
+  }
 }
 
 /// (5): the map window that the sweep can touch from poses up to `margin_cells` away, in plain form.
 void FastSlam::load_around(const Pose2& T_map_base, const Particle& particle, int margin_cells,
                            WorkerScratch& scratch) const {
   scratch.loaded = window_of(sweep_, T_map_base, config_.cell_size).grown(margin_cells);
-  particle.map.load(scratch.loaded, scratch.map);
+  if (levels_) {
+    particle.map.load_levels(scratch.loaded, scratch.map);
+  } else {
+    particle.map.load(scratch.loaded, scratch.map);
+  }
+}
+
+void FastSlam::look_at_loaded(WorkerScratch& scratch) const {
+  if (levels_) {
+    scratch.likelihood.look_at(scratch.map.levels, config_.store.lattice_unit);
+  } else {
+    scratch.likelihood.look_at(scratch.map.log_odds);
+  }
 }
 
 void FastSlam::propose_by_motion(Particle& particle, Rng& rng, WorkerScratch& scratch) const {
   const bool first = statistics_.registered == 0;  // the start pose is given: no noise, and no map to weigh against
   particle.T_map_base = first ? particle.T_map_base * motion_.T_last_now() : motion_.sample(particle.T_map_base, rng);
   load_around(particle.T_map_base, particle, scratch.likelihood.margin_cells(), scratch);
-  scratch.likelihood.look_at(scratch.map.log_odds);
+  look_at_loaded(scratch);
   particle.log_weight += scratch.likelihood.log_likelihood(probes_, particle.T_map_base);  // (6), eq. (8)
 }
 
@@ -105,11 +142,12 @@ void FastSlam::propose_by_match(Particle& particle, Rng& rng, WorkerScratch& scr
     return;
   }
   load_around(predicted, particle, scratch.likelihood.margin_cells() + search_margin_cells(covariance), scratch);
-  scratch.likelihood.look_at(scratch.map.log_odds);
+  look_at_loaded(scratch);
   const double sharpness = config_.matcher.sharpness;
-  const ScanMatch match =
-      match_scan([&](const Pose2& pose) { return sharpness * scratch.likelihood.field_log_likelihood(probes_, pose); },
-                 predicted, covariance, config_.matcher);
+  const PoseScore score{
+      [&](const Pose2& pose) { return sharpness * scratch.likelihood.field_log_likelihood(probes_, pose); },
+      [&](const Pose2& pose) { return sharpness * scratch.likelihood.field_fit(probes_, pose); }};
+  const ScanMatch match = match_scan(score, predicted, covariance, config_.matcher);
   particle.T_map_base = sample_pose(match.T_map_base, match.covariance, rng);
   const double log_evidence =
       match.log_posterior + 0.5 * std::log(match.covariance.determinant() / covariance.determinant());

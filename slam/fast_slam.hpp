@@ -27,6 +27,8 @@ class FastSlam {
 
   /// The pose to report now: of the best particle, moved on by odometry since the last registered scan.
   [[nodiscard]] Pose2 T_map_base() const;
+  /// The path of odometry, refined by tracking where the filter tracks scans. Its errors add up.
+  [[nodiscard]] Pose2 T_odom_base() const { return T_odom_base_; }
   /// The registered poses of the best particle's whole path, oldest first.
   [[nodiscard]] std::vector<RegisteredPose> best_path() const;
   /// The best particle's map: log-odds over the stated area, or over all it has seen.
@@ -38,11 +40,13 @@ class FastSlam {
  private:
   struct WorkerScratch;
 
+  void follow(const Reading& reading);
   void step(const Reading& reading);
   void advance(Particle& particle, std::size_t slot, const Reading& reading, WorkerScratch& scratch) const;
   void propose_by_motion(Particle& particle, Rng& rng, WorkerScratch& scratch) const;
   void propose_by_match(Particle& particle, Rng& rng, WorkerScratch& scratch) const;
   void load_around(const Pose2& T_map_base, const Particle& particle, int margin_cells, WorkerScratch& scratch) const;
+  void look_at_loaded(WorkerScratch& scratch) const;
   [[nodiscard]] int search_margin_cells(const Eigen::Matrix3d& covariance) const;
   void record_paths();
   void choose_best();
@@ -54,9 +58,12 @@ class FastSlam {
   std::uint32_t seed_;
   Workers& workers_;
   std::shared_ptr<MemoryMeter> meter_;
+  std::optional<LatticeModel> levels_;  ///< where the maps are worked on in levels
   std::vector<Particle> particles_;
   PathTree paths_;
   MotionModel motion_;
+  std::optional<ScanTracker> tracker_;
+  Pose2 T_odom_base_;
   std::size_t records_ = 0;  ///< readings taken
   FilterStatistics statistics_{};
   std::size_t best_ = 0;

@@ -22,6 +22,8 @@ class MotionModel {
 
   /// Adds one reading's motion.
   void add(const MotionIncrement& motion);
+  /// Puts a better estimate of the motion since the last registered scan in place of the sum; its spread stays.
+  void correct(const Pose2& T_last_now) { T_last_now_ = T_last_now; }
   /// Starts anew at a registered scan.
   void restart();
 

@@ -72,8 +72,23 @@ void read_matcher(ConfigSection section, ScanMatcherConfig& matcher) {
   section.read("sharpness", matcher.sharpness, {1e-3, 1e3});
   section.read("window_sigmas", matcher.window_sigmas, {0.0, 100.0});
   section.read("coarse_step_m", matcher.coarse_step, {1e-4, 10.0});
-  section.read("finest_step_m", matcher.finest_step, {1e-6, 10.0});
   section.read("coarse_steps_max", matcher.coarse_steps_max, {0, 100});
+}
+
+void read_tracker(ConfigSection section, TrackerConfig& tracker) {
+  section.read("used", tracker.used);
+  section.read("beams", tracker.beams, {1, 100000});
+  section.read("gap_m", tracker.gap, kPositive);
+  section.read("keys", tracker.keys, {1, 1000});
+  section.read("cell_m", tracker.cell, {1e-3, 10.0});
+  section.read_degrees("turn_step_deg", tracker.turn_step, kPositive);
+  section.read("inflation", tracker.inflation, {1e-3, 1e3});
+  section.read("least_sigma_m", tracker.least_sigma_position, kPositive);
+  section.read_degrees("least_sigma_deg", tracker.least_sigma_heading, kPositive);
+  section.read("first_reach_m", tracker.match.first_reach, kPositive);
+  section.read("last_reach_m", tracker.match.last_reach, kPositive);
+  section.read("sigma_m", tracker.match.sigma, kPositive);
+  section.read("point_share", tracker.match.point_share, {1e-6, 1.0});
 }
 
 /// The place of a value that is off the lattice, where the file states it here; SlamConfig::check finds the others.
@@ -125,6 +140,11 @@ void SlamConfig::check() const {
       throw InputError("log_odds: " + trouble->key + ": " + trouble->message);
     }
   }
+  // The field looks at 63 cells of a row at once, and reaches 3 sigma.
+  if (likelihood.field.sigma > 21.0 * cell_size) {
+    throw InputError("likelihood: field_sigma_m must be at most 21 cells of " + number_text(cell_size) + " m");
+  }
+  tracker.check();
   if (log_odds.clamped && (log_odds.min >= 0.0F || log_odds.max <= 0.0F)) {
     throw InputError("log_odds: min must be below 0 and max above 0");
   }
@@ -134,9 +154,6 @@ void SlamConfig::check() const {
   if (log_odds.clamped && log_odds.max <= kOccupiedLogOdds) {
     throw InputError("log_odds: max must be above " + number_text(kOccupiedLogOdds) +
                      ", or no cell ever counts as an obstacle");
-  }
-  if (2.0 * matcher.finest_step > matcher.coarse_step) {
-    throw InputError("matcher: finest_step_m must be at most half of coarse_step_m, or the climb never begins");
   }
 }
 
@@ -148,6 +165,7 @@ void read_slam_config(ConfigSection& section, SlamConfig& config) {
   read_log_odds(section.section("log_odds"), config.log_odds);
   check_lattice(section, config);
   read_sweep(section.section("sweep"), config.sweep);
+  read_tracker(section.section("tracker"), config.tracker);
   read_motion(section.section("motion"), config.motion);
   ConfigSection registration = section.section("registration");
   registration.read("distance_m", config.registration.distance, kPositive);

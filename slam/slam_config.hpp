@@ -9,6 +9,7 @@
 #include "slam/motion_model.hpp"
 #include "slam/registration.hpp"
 #include "slam/sweep.hpp"
+#include "slam/track/scan_tracker.hpp"
 #include "slam/weight/compass_likelihood.hpp"
 #include "slam/weight/scan_likelihood.hpp"
 
@@ -35,6 +36,7 @@ struct SlamConfig {
   StoreConfig store{};
   LogOddsModel log_odds{};
   SweepConfig sweep{};
+  TrackerConfig tracker{};
   MotionModelConfig motion{};
   RegistrationConfig registration{};
   ScanLikelihoodConfig likelihood{};

@@ -60,9 +60,10 @@ void MapUpdater::mark(const std::vector<Beam>& sweep, const Pose2& T_map_base, C
   }
 }
 
-CellWindow MapUpdater::integrate(const std::vector<Beam>& sweep, const Pose2& T_map_base, const LogOddsModel& model,
-                                 Grid<float>& log_odds) {
-  const GridFrame& frame = log_odds.frame();
+template <class Model, class Value>
+CellWindow MapUpdater::change(const std::vector<Beam>& sweep, const Pose2& T_map_base, const Model& model,
+                              Grid<Value>& cells) {
+  const GridFrame& frame = cells.frame();
   if (marks_.size() < frame.size()) marks_.resize(frame.size(), 0);
   if (++round_ == (1U << 31)) {  // marks of two billion calls ago would look fresh
     std::fill(marks_.begin(), marks_.end(), 0);
@@ -74,12 +75,22 @@ CellWindow MapUpdater::integrate(const std::vector<Beam>& sweep, const Pose2& T_
   CellWindow changed;
   const auto width = static_cast<std::uint32_t>(frame.width);
   for (const std::uint32_t index : touched_) {
-    float& value = log_odds.values()[index];
+    Value& value = cells.values()[index];
     value = model.after(value, (marks_[index] & 1U) != 0 ? model.hit : model.free);
     changed.include(
         {frame.lattice_min.x + static_cast<int>(index % width), frame.lattice_min.y + static_cast<int>(index / width)});
   }
   return changed;
+}
+
+CellWindow MapUpdater::integrate(const std::vector<Beam>& sweep, const Pose2& T_map_base, const LogOddsModel& model,
+                                 Grid<float>& log_odds) {
+  return change(sweep, T_map_base, model, log_odds);
+}
+
+CellWindow MapUpdater::integrate(const std::vector<Beam>& sweep, const Pose2& T_map_base, const LatticeModel& model,
+                                 Grid<std::int8_t>& levels) {
+  return change(sweep, T_map_base, model, levels);
 }
 
 CellWindow window_of(const std::vector<Beam>& sweep, const Pose2& T_map_base, double cell_size) {

@@ -5,6 +5,7 @@
 
 #include "core/grid.hpp"
 #include "slam/map/cell_window.hpp"
+#include "slam/map/lattice.hpp"
 #include "slam/map/log_odds.hpp"
 #include "slam/sweep.hpp"
 
@@ -19,8 +20,13 @@ class MapUpdater {
   /// Returns the lattice window that holds every changed cell.
   CellWindow integrate(const std::vector<Beam>& sweep, const Pose2& T_map_base, const LogOddsModel& model,
                        Grid<float>& log_odds);
+  /// The same on levels.
+  CellWindow integrate(const std::vector<Beam>& sweep, const Pose2& T_map_base, const LatticeModel& model,
+                       Grid<std::int8_t>& levels);
 
  private:
+  template <class Model, class Value>
+  CellWindow change(const std::vector<Beam>& sweep, const Pose2& T_map_base, const Model& model, Grid<Value>& cells);
   void mark(const std::vector<Beam>& sweep, const Pose2& T_map_base, CellRule rule, const GridFrame& frame);
   void touch(Cell lattice_cell, const GridFrame& frame, bool hit, bool overwrite);
 

@@ -21,7 +21,11 @@ class Posterior {
 
   double likelihood(const Eigen::Vector3d& v) {
     ++evaluations;
-    return score_(pose(v));
+    return score_.value(pose(v));
+  }
+  PoseFit fit(const Eigen::Vector3d& v) {
+    ++evaluations;
+    return score_.fit(pose(v));
   }
   double operator()(const Eigen::Vector3d& v) { return likelihood(v) - 0.5 * v.dot(information_ * v); }
   [[nodiscard]] Pose2 pose(const Eigen::Vector3d& v) const { return predicted_ * Pose2::exp({v.x(), v.y(), v.z()}); }
@@ -61,53 +65,69 @@ Best search_coarse(Posterior& posterior, const Eigen::Matrix3d& covariance, cons
   return best;
 }
 
-/// The score about a point, to second order: by differences over a step wide enough to bridge the cells.
-struct Quadratic {
-  Eigen::Vector3d gradient;
-  Eigen::Matrix3d information;  ///< the negated curvature, made positive
+/// A point of the climb, and the posterior about it.
+struct Place {
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();
+  double value = 0.0;
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
 
-Quadratic fit_quadratic(Posterior& posterior, const Eigen::Vector3d& v, double step) {
+Place place_at(Posterior& posterior, const Eigen::Vector3d& v) {
+  const PoseFit fit = posterior.fit(v);
+  return {v, fit.value - 0.5 * v.dot(posterior.information() * v), fit.gradient - posterior.information() * v,
+          fit.information + posterior.information()};
+}
+
+/// A Newton step, shortened until it leads up; how far it led [m], 0 where no share of it leads up. Newton, because
+/// shift and turn are tied together where all surfaces lie ahead: steps along single axes stop on that ridge.
+double step_uphill(Posterior& posterior, Place& place, const Eigen::Vector3d& gradient,
+                   const Eigen::Matrix3d& information) {
+  const Eigen::Vector3d newton = information.ldlt().solve(gradient);
+  for (double share = 1.0; share > 0.1; share /= 2.0) {
+    const Place next = place_at(posterior, place.v + share * newton);
+    if (next.value <= place.value) continue;
+    place = next;
+    return share * newton.cwiseProduct(Eigen::Vector3d(1.0, 1.0, kLever)).norm();
+  }
+  return 0.0;
+}
+
+/// Climbs by the score's own fit; false when it stopped at the limit of steps.
+bool climb(Posterior& posterior, Place& place) {
+  for (int round = 0; round < kClimbLimit; ++round) {
+    if (step_uphill(posterior, place, place.gradient, place.information) <= kStill) return true;
+  }
+  return false;
+}
+
+/// Slope and curvature by differences over a step that bridges the cells: the field's own have creases, and none of it
+/// inside a large cell.
+PoseFit fit_across_cells(Posterior& posterior, const Place& place, double step) {
   const Eigen::Vector3d h(step, step, step / kLever);
   const auto value = [&](int a, double da, int b, double db) {
-    Eigen::Vector3d at = v;
+    Eigen::Vector3d at = place.v;
     at[a] += da * h[a];
     at[b] += db * h[b];
-    return posterior.likelihood(at);
+    return posterior(at);
   };
-  const double centre = posterior.likelihood(v);
-  Quadratic fit;
+  PoseFit fit{.value = place.value};
   Eigen::Matrix3d curvature;
   for (int a = 0; a < 3; ++a) {
     const double after = value(a, 1, a, 0), before = value(a, -1, a, 0);
     fit.gradient[a] = (after - before) / (2.0 * h[a]);
-    curvature(a, a) = (after - 2.0 * centre + before) / (h[a] * h[a]);
+    curvature(a, a) = (after - 2.0 * place.value + before) / (h[a] * h[a]);
     for (int b = 0; b < a; ++b) {
       curvature(a, b) = curvature(b, a) =
           (value(a, 1, b, 1) - value(a, 1, b, -1) - value(a, -1, b, 1) + value(a, -1, b, -1)) / (4.0 * h[a] * h[b]);
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(-curvature);
+  // The motion's part is known; what the scan adds must not take away from it.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(-curvature - posterior.information());
   const Eigen::Vector3d positive = solver.eigenvalues().cwiseMax(0.0);
-  fit.information = solver.eigenvectors() * positive.asDiagonal() * solver.eigenvectors().transpose();
+  fit.information =
+      posterior.information() + solver.eigenvectors() * positive.asDiagonal() * solver.eigenvectors().transpose();
   return fit;
-}
-
-/// One Newton step uphill, shortened until it leads up; false when no share of it does. Newton, because shift and turn
-/// are tied together where all surfaces lie ahead: steps along single axes stop on that ridge, short of its top.
-bool climb_once(Posterior& posterior, Best& best, double step) {
-  const Quadratic fit = fit_quadratic(posterior, best.v, step);
-  const Eigen::Vector3d gradient = fit.gradient - posterior.information() * best.v;
-  const Eigen::Vector3d newton = (fit.information + posterior.information()).ldlt().solve(gradient);
-  for (double share = 1.0; share > 0.1; share /= 2.0) {
-    const Eigen::Vector3d v = best.v + share * newton;
-    const double value = posterior(v);
-    if (value > best.value) {
-      best = {v, value};
-      return share * newton.cwiseProduct(Eigen::Vector3d(1.0, 1.0, kLever)).norm() > kStill;
-    }
-  }
-  return false;
 }
 
 }  // namespace
@@ -115,18 +135,19 @@ bool climb_once(Posterior& posterior, Best& best, double step) {
 ScanMatch match_scan(const PoseScore& score, const Pose2& predicted, const Eigen::Matrix3d& covariance,
                      const ScanMatcherConfig& config) {
   Posterior posterior(score, predicted, covariance);
-  Best best = search_coarse(posterior, covariance, config);
-  double step = config.coarse_step / 2.0;
-  int rounds = 0;
-  for (; step >= config.finest_step && rounds < kClimbLimit; ++rounds) {
-    if (!climb_once(posterior, best, step)) step /= 2.0;
+  Place place = place_at(posterior, search_coarse(posterior, covariance, config).v);
+  const bool converged = climb(posterior, place);
+  // The field has bumps of the size of its cells, and their tops lie up to 2 cm off the pose. The last step looks
+  // across them, and is taken whether or not it leads up a bump.
+  const PoseFit fit = fit_across_cells(posterior, place, config.coarse_step / 2.0);
+  const Eigen::Vector3d last = fit.information.ldlt().solve(fit.gradient);
+  if (last.cwiseProduct(Eigen::Vector3d(1.0, 1.0, kLever)).norm() < config.coarse_step / 2.0) {
+    place = place_at(posterior, place.v + last);
   }
-  const Eigen::Matrix3d information =
-      posterior.information() + fit_quadratic(posterior, best.v, config.coarse_step / 2.0).information;
-  return {.T_map_base = posterior.pose(best.v),
-          .log_posterior = best.value,
-          .covariance = information.inverse(),
-          .converged = step < config.finest_step,
+  return {.T_map_base = posterior.pose(place.v),
+          .log_posterior = place.value,
+          .covariance = fit.information.inverse(),
+          .converged = converged,
           .evaluations = posterior.evaluations};
 }
 

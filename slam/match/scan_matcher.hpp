@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "core/pose2.hpp"
+#include "slam/match/pose_fit.hpp"
 
 namespace cogslam {
 
@@ -11,7 +12,6 @@ struct ScanMatcherConfig {
   double sharpness = 9.0;      ///< a scan counts so many times more in a match than in a weight
   double window_sigmas = 2.5;  ///< half width of the coarse search, in standard deviations of the motion
   double coarse_step = 0.1;    ///< [m]; the coarse turn step moves a point at 4 m by as much
-  double finest_step = 0.01;   ///< the climb's differences span this at last [m]
   int coarse_steps_max = 10;   ///< per direction, however wide the motion's spread
 };
 
@@ -24,12 +24,16 @@ struct ScanMatch {
   int evaluations = 0;
 };
 
-/// log p(z | x) of a pose.
-using PoseScore = std::function<double(const Pose2&)>;
+/// log p(z | x) of a pose, and the same with slope and information.
+struct PoseScore {
+  std::function<double(const Pose2&)> value;
+  std::function<PoseFit(const Pose2&)> fit;
+};
 
 /// Maximises score(x) + log N(x; predicted, covariance): a coarse grid search over the motion's spread, then Newton's
-/// method on differences over halving steps. The covariance joins the curvature of the score at the mode with the
-/// motion's information, so a direction that the scan does not see (along a corridor) keeps the motion's spread.
+/// method on the score's own fit, and on differences over half a coarse step. The covariance joins the curvature of the
+/// score at the mode with the motion's information, so a direction that the scan does not see (along a corridor) keeps
+/// the motion's spread.
 ScanMatch match_scan(const PoseScore& score, const Pose2& predicted, const Eigen::Matrix3d& covariance,
                      const ScanMatcherConfig& config);
 

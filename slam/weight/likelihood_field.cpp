@@ -6,51 +6,70 @@
 #include "core/check.hpp"
 
 namespace cogslam {
+namespace {
+
+/// Samples between one of a cell and the nearest one of the cell that lies `cells` on, in a line; the next cell begins
+/// `to_next` samples away.
+int samples_between(int cells, int to_next, int samples) { return cells == 0 ? 0 : to_next + (cells - 1) * samples; }
+
+}  // namespace
 
 LikelihoodField::LikelihoodField(const LikelihoodFieldConfig& config, double cell_size)
     : samples_(std::max(1, static_cast<int>(std::lround(cell_size / config.finest_sample)))),
       reach_(static_cast<int>(std::ceil(3.0 * config.sigma / (cell_size / samples_)))),
-      margin_cells_((reach_ + samples_ - 1) / samples_ + 1),
+      reach_cells_((reach_ + samples_ - 1) / samples_),
       per_metre_(samples_ / cell_size) {
   EXPECTS(config.sigma > 0.0 && config.finest_sample > 0.0 && cell_size > 0.0);
-  const int side = samples_ + 2 * reach_;
+  EXPECTS(reach_cells_ <= OccupancyBits::kFarthest && reach_ < 255);  // 63 cells; squares of 16 bits
   const double step = cell_size / samples_;
-  const auto outside = [&](int k) {  // distance of a sample from those of the cell along one axis
-    return step * std::max({0, reach_ - k, k - (reach_ + samples_ - 1)});
-  };
-  for (int row = 0; row < side; ++row) {
-    for (int column = 0; column < side; ++column) {
-      const double d2 = outside(row) * outside(row) + outside(column) * outside(column);
-      kernel_.push_back(static_cast<float>(std::exp(-0.5 * d2 / (config.sigma * config.sigma))));
-    }
+  values_.push_back(0.0F);  // of no use: 0 means not worked out
+  for (int squares = 0; squares <= reach_ * reach_; ++squares) {
+    values_.push_back(static_cast<float>(std::exp(-0.5 * squares * step * step / (config.sigma * config.sigma))));
   }
+  values_.push_back(0.0F);
 }
 
 void LikelihoodField::draw(const Grid<float>& log_odds) {
-  const GridFrame& frame = log_odds.frame();
+  bits_.read(log_odds);
+  begin();
+}
+
+void LikelihoodField::draw(const Grid<std::int8_t>& levels, double unit) {
+  bits_.read(levels, unit);
+  begin();
+}
+
+void LikelihoodField::begin() {
+  for (const std::size_t index : remembered_) squares_[index] = 0;
+  remembered_.clear();
+  const GridFrame& frame = bits_.frame();
   width_ = frame.width * samples_;
   height_ = frame.height * samples_;
   left_ = frame.lattice_min.x * samples_ + 0.5;
   bottom_ = frame.lattice_min.y * samples_ + 0.5;
-  values_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0.0F);
-  occupied_ = 0;
-  const float* value = log_odds.values().data();
-  for (int y = 0; y < frame.height; ++y) {
-    for (int x = 0; x < frame.width; ++x, ++value) {
-      if (*value > kOccupiedLogOdds) stamp(x * samples_ - reach_, y * samples_ - reach_);
-    }
-  }
+  const std::size_t size = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  if (squares_.size() < size) squares_.resize(size, 0);
 }
 
-void LikelihoodField::stamp(int column, int row) {
-  ++occupied_;
-  const int side = samples_ + 2 * reach_;
-  const int first_x = std::max(0, column), last_x = std::min(width_, column + side);
-  for (int y = std::max(0, row); y < std::min(height_, row + side); ++y) {
-    float* out = values_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
-    const float* kernel = kernel_.data() + static_cast<std::size_t>((y - row) * side);
-    for (int x = first_x; x < last_x; ++x) out[x] = std::max(out[x], kernel[x - column]);
+LikelihoodField::Squares LikelihoodField::work_out(int i, int j, std::size_t index) const {
+  const int x = i / samples_, y = j / samples_;
+  const int from_left = i - x * samples_ + 1, from_right = samples_ - (i - x * samples_);
+  const int from_below = j - y * samples_ + 1, from_above = samples_ - (j - y * samples_);
+  int nearest = reach_ * reach_ + 1;
+  const int first = std::max(0, y - reach_cells_), last = std::min(bits_.frame().height - 1, y + reach_cells_);
+  for (int row = first; row <= last; ++row) {
+    const int up =
+        row > y ? samples_between(row - y, from_above, samples_) : samples_between(y - row, from_below, samples_);
+    if (up * up >= nearest) continue;
+    const OccupancyBits::InRow cells = bits_.nearest_in_row(x, row, reach_cells_);
+    const int across =
+        std::min(samples_between(cells.right, from_right, samples_), samples_between(cells.left, from_left, samples_));
+    nearest = std::min(nearest, up * up + across * across);
   }
+  const auto squares = static_cast<Squares>(nearest + 1);
+  squares_[index] = squares;
+  remembered_.push_back(index);
+  return squares;
 }
 
 }  // namespace cogslam

@@ -7,6 +7,11 @@
 #include "slam/map/expected_range.hpp"
 
 namespace cogslam {
+namespace {
+
+constexpr double kFlat = 1e-3;  // per metre: a gentler relative slope has no direction
+
+}  // namespace
 
 ScanLikelihood::ScanLikelihood(const ScanLikelihoodConfig& config, double cell_size)
     : config_(config), field_(config.field, cell_size) {
@@ -30,14 +35,14 @@ void ScanLikelihood::look_at(const Grid<float>& log_odds) {
   field_.draw(log_odds);
 }
 
+void ScanLikelihood::look_at(const Grid<std::int8_t>& levels, double unit) {
+  EXPECTS(config_.model == ScanModel::kLikelihoodField);
+  field_.draw(levels, unit);
+}
+
 double ScanLikelihood::log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const {
   return config_.model == ScanModel::kBeam ? beam_log_likelihood(probes, T_map_base)
                                            : field_log_likelihood(probes, T_map_base);
-}
-
-bool ScanLikelihood::unknown_at(double x, double y) const {
-  const Cell c = map_->frame().cell_of({x, y});
-  return !map_->frame().contains(c) || is_unknown((*map_)[c]);
 }
 
 double ScanLikelihood::field_log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const {
@@ -50,10 +55,41 @@ double ScanLikelihood::field_log_likelihood(const std::vector<Beam>& probes, con
     const double x = T_map_base.x + c * beam.end.x() - s * beam.end.y();
     const double y = T_map_base.y + s * beam.end.x() + c * beam.end.y();
     float value = field_.at(x, y);
-    if (value < unknown && unknown_at(x, y)) value = unknown;
+    if (value < unknown && field_.unknown_at(x, y)) value = unknown;
     sum += std::log(hit * value + random);
   }
   return config_.effective_beams * sum / static_cast<double>(probes.size());
+}
+
+PoseFit ScanLikelihood::field_fit(const std::vector<Beam>& probes, const Pose2& T_map_base) const {
+  PoseFit fit;
+  if (probes.empty()) return fit;
+  const double c = std::cos(T_map_base.theta), s = std::sin(T_map_base.theta);
+  const double hit = config_.hit_share, random = 1.0 - hit, unknown = config_.unknown_value;
+  const double per_variance = 1.0 / (config_.field.sigma * config_.field.sigma);
+  for (const Beam& beam : probes) {
+    const double ex = beam.end.x(), ey = beam.end.y();
+    const double x = T_map_base.x + c * ex - s * ey, y = T_map_base.y + s * ex + c * ey;
+    const LikelihoodField::Slope field = field_.slope_at(x, y);
+    if (field.value < unknown && field_.unknown_at(x, y)) {
+      fit.value += std::log(hit * unknown + random);
+      continue;
+    }
+    const double density = hit * field.value + random;
+    fit.value += std::log(density);
+    const Eigen::Vector2d slope(c * field.dx + s * field.dy, c * field.dy - s * field.dx);  // seen from the base
+    const double steepness = slope.norm();
+    if (!(steepness > kFlat * field.value)) continue;
+    const Eigen::Vector2d normal = slope / steepness;
+    const Eigen::Vector3d across(normal.x(), normal.y(), ex * normal.y() - ey * normal.x());
+    fit.gradient += hit * steepness / density * across;
+    fit.information += hit * field.value / density * per_variance * across * across.transpose();
+  }
+  const double share = config_.effective_beams / static_cast<double>(probes.size());
+  fit.value *= share;
+  fit.gradient *= share;
+  fit.information *= share;
+  return fit;
 }
 
 double ScanLikelihood::beam_log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/grid.hpp"
+#include "slam/match/pose_fit.hpp"
 #include "slam/sweep.hpp"
 #include "slam/weight/likelihood_field.hpp"
 
@@ -32,8 +33,10 @@ class ScanLikelihood {
   /// The returns that are looked at: at most `beams`, evenly spread over the sweep.
   [[nodiscard]] std::vector<Beam> probes_of(const std::vector<Beam>& sweep) const;
 
-  /// Takes a map to weigh against; it must outlive the calls of `log_likelihood`.
+  /// Takes a map to weigh against: log-odds, which must outlive the calls of `log_likelihood`, or levels of `unit`
+  /// log-odds each, which the beam model cannot use.
   void look_at(const Grid<float>& log_odds);
+  void look_at(const Grid<std::int8_t>& levels, double unit);
 
   /// log p(z | pose, map) up to a constant, tempered: effective_beams times the mean over the probes.
   /// 0 without probes. A map that shows no obstacle is no excuse: its free and unknown cells speak as any others.
@@ -41,12 +44,16 @@ class ScanLikelihood {
   /// The same by the likelihood field, whatever the model: what a scan matcher climbs.
   [[nodiscard]] double field_log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const;
 
+  /// That value with its slope and information over the small motion that follows the pose: what a matcher steps by.
+  /// The information is that of a Gaussian end point about its wall, shared with the chance that no mapped surface was
+  /// hit (Fisher scoring); inside a large occupied cell, where the field is flat, there is none.
+  [[nodiscard]] PoseFit field_fit(const std::vector<Beam>& probes, const Pose2& T_map_base) const;
+
   /// Cells around the probes' window that the map must cover.
   [[nodiscard]] int margin_cells() const { return field_.margin_cells(); }
 
  private:
   [[nodiscard]] double beam_log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const;
-  [[nodiscard]] bool unknown_at(double x, double y) const;
 
   ScanLikelihoodConfig config_;
   LikelihoodField field_;

@@ -187,5 +187,28 @@ TEST(WindowOfSweep, HoldsEveryCellThatASweepTouches) {
   EXPECT_TRUE(window_of({}, Pose2{}, 0.1).empty());
 }
 
+TEST(MapUpdater, ChangesLevelsAsTheLogOddsTheyStandFor) {
+  const LatticeModel lattice = lattice_model(LogOddsModel{}, 0.4);
+  for (std::uint32_t round = 0; round < 20; ++round) {
+    Rng rng({.seed = 73, .purpose = Purpose::kWorld, .entity = round});
+    const GridFrame frame{.cell_size = 0.1, .lattice_min = {-30, -30}, .width = 60, .height = 60};
+    Grid<float> log_odds(frame);
+    Grid<std::int8_t> levels(frame);
+    MapUpdater for_floats, for_levels;
+    for (int scan = 0; scan < 15; ++scan) {
+      std::vector<Beam> sweep;
+      for (int b = 0; b < 20; ++b) {
+        sweep.push_back(beam_between({0.0, 0.0}, {rng.uniform(-3.5, 3.5), rng.uniform(-3.5, 3.5)}, rng.below(3) > 0));
+      }
+      const Pose2 T_map_base{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0), rng.uniform(-3.0, 3.0)};
+      ASSERT_EQ(for_floats.integrate(sweep, T_map_base, LogOddsModel{}, log_odds),
+                for_levels.integrate(sweep, T_map_base, lattice, levels));
+    }
+    for (std::size_t i = 0; i < levels.values().size(); ++i) {
+      ASSERT_NEAR(log_odds.values()[i], log_odds_of(levels.values()[i], 0.4), 1e-5) << "round " << round;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cogslam

@@ -4,6 +4,7 @@
 
 #include "tests/support/drawn_grid.hpp"
 #include "tests/support/mapped_room.hpp"
+#include "tests/support/pose_scores.hpp"
 
 namespace cogslam {
 namespace {
@@ -81,6 +82,42 @@ TEST_P(ScanLikelihoodOf, GivesUnknownCellsTheirStatedValue) {
   likelihood.look_at(map);
   const std::vector<Beam> probe{{.origin = {0.0, 0.0}, .end = {3.0, 0.0}, .range = 3.0F, .hit = true}};
   EXPECT_NEAR(likelihood.log_likelihood(probe, {5.5, 1.5, 0.0}), std::log(0.8 * 0.4 + 0.2), 1e-6);
+}
+
+/// Against the slow twin over a step within one field cell, away from its creases.
+TEST(ScanLikelihood, FitsItsFieldWithTheSlopeThatDifferencesShow) {
+  const Grid<float> room = mapped_cornered_room(0.05);
+  ScanLikelihood likelihood(ScanLikelihoodConfig{}, 0.05);
+  likelihood.look_at(room);
+  const std::vector<Beam> probes = likelihood.probes_of(clean_sweep(cornered_room(), kTruePose, 720));
+  const auto value = [&](const Pose2& pose) { return likelihood.field_log_likelihood(probes, pose); };
+  for (std::uint32_t round = 0; round < 50; ++round) {
+    Rng rng({.seed = 72, .purpose = Purpose::kWorld, .entity = round});
+    const Pose2 pose =
+        kTruePose * Pose2::exp({rng.uniform(-0.1, 0.1), rng.uniform(-0.1, 0.1), rng.uniform(-0.05, 0.05)});
+    const PoseFit fit = likelihood.field_fit(probes, pose);
+    EXPECT_NEAR(fit.value, value(pose), 1e-6);
+    const PoseFit slow = fit_by_differences(value, pose, 1e-5);
+    EXPECT_NEAR((fit.gradient - slow.gradient).norm(), 0.0, 0.05 * slow.gradient.norm() + 1.0) << "round " << round;
+    EXPECT_GE(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(fit.information).eigenvalues().minCoeff(), -1e-9);
+  }
+}
+
+TEST(ScanLikelihood, WeighsLevelsAsTheLogOddsTheyStandFor) {
+  Grid<float> room = mapped_cornered_room(0.05);
+  Grid<std::int8_t> levels(room.frame());
+  for (std::size_t i = 0; i < room.values().size(); ++i) {
+    levels.values()[i] = level_of(room.values()[i], 0.4);
+    room.values()[i] = log_odds_of(levels.values()[i], 0.4);
+  }
+  ScanLikelihood floats(ScanLikelihoodConfig{}, 0.05), integers(ScanLikelihoodConfig{}, 0.05);
+  floats.look_at(room);
+  integers.look_at(levels, 0.4);
+  const std::vector<Beam> probes = floats.probes_of(clean_sweep(cornered_room(), kTruePose, 360));
+  for (const Pose2& pose : {kTruePose, Pose2{0.0, -1.0, 2.0}, Pose2{-0.3, -0.7, 0.6}}) {
+    EXPECT_EQ(floats.log_likelihood(probes, pose), integers.log_likelihood(probes, pose));
+    EXPECT_EQ(floats.field_fit(probes, pose).gradient, integers.field_fit(probes, pose).gradient);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, ScanLikelihoodOf, testing::Values(ScanModel::kLikelihoodField, ScanModel::kBeam),

@@ -4,8 +4,8 @@
 
 #include <Eigen/Dense>
 
-#include "slam/weight/scan_likelihood.hpp"
 #include "tests/support/mapped_room.hpp"
+#include "tests/support/pose_scores.hpp"
 
 namespace cogslam {
 namespace {
@@ -32,8 +32,7 @@ TEST(MatchScan, FindsTheTruePoseFromAnyStartWithinItsWindow) {
     const std::vector<Beam> probes = likelihood.probes_of(clean_sweep(cornered_room(), truth, 720));
     const Pose2 predicted =
         truth * Pose2::exp({rng.uniform(-0.12, 0.12), rng.uniform(-0.12, 0.12), rng.uniform(-0.06, 0.06)});
-    const ScanMatch match = match_scan([&](const Pose2& pose) { return likelihood.field_log_likelihood(probes, pose); },
-                                       predicted, motion, ScanMatcherConfig{});
+    const ScanMatch match = match_scan(field_score(likelihood, probes), predicted, motion, ScanMatcherConfig{});
     EXPECT_LE((match.T_map_base.position() - truth.position()).norm(), 0.01) << "round " << round;
     EXPECT_LE(std::abs(wrap_angle(match.T_map_base.theta - truth.theta)), 0.3 * std::numbers::pi / 180.0)
         << "round " << round;
@@ -47,10 +46,14 @@ TEST(MatchScan, ReportsItsValueAtTheMode) {
   const Pose2 truth{-0.5, -0.6, 0.3};
   const std::vector<Beam> probes = likelihood.probes_of(clean_sweep(cornered_room(), truth, 360));
   int calls = 0;
-  const auto score = [&](const Pose2& pose) {
-    ++calls;
-    return likelihood.field_log_likelihood(probes, pose);
-  };
+  const PoseScore score{[&](const Pose2& pose) {
+                          ++calls;
+                          return likelihood.field_log_likelihood(probes, pose);
+                        },
+                        [&](const Pose2& pose) {
+                          ++calls;
+                          return likelihood.field_fit(probes, pose);
+                        }};
   Eigen::Matrix3d motion = diagonal(0.05, 0.03, 0.02);
   motion(0, 1) = motion(1, 0) = 0.0005;
   const Pose2 predicted = truth * Pose2::exp({0.04, -0.03, 0.02});
@@ -58,8 +61,8 @@ TEST(MatchScan, ReportsItsValueAtTheMode) {
   EXPECT_EQ(match.evaluations, calls);
   EXPECT_TRUE(match.converged);
   const Eigen::Vector3d v = small_motion_between(predicted, match.T_map_base);
-  EXPECT_NEAR(match.log_posterior, score(match.T_map_base) - 0.5 * v.dot(motion.inverse() * v), 1e-6);
-  EXPECT_GE(match.log_posterior, score(predicted));
+  EXPECT_NEAR(match.log_posterior, score.value(match.T_map_base) - 0.5 * v.dot(motion.inverse() * v), 1e-6);
+  EXPECT_GE(match.log_posterior, score.value(predicted));
 }
 
 /// Everything is known where the score is a Gaussian: the mode and the spread are those of the product of two
@@ -75,7 +78,7 @@ TEST(MatchScan, EqualsTheProductOfTwoGaussians) {
       const Eigen::Vector3d e = small_motion_between(predicted, pose) - offset;
       return -0.5 * e.dot(seen * e);
     };
-    const ScanMatch match = match_scan(score, predicted, motion, ScanMatcherConfig{});
+    const ScanMatch match = match_scan(smooth_score(score), predicted, motion, ScanMatcherConfig{});
     const Eigen::Matrix3d covariance = (seen + motion.inverse()).inverse();
     const Eigen::Vector3d mode = covariance * seen * offset;
     EXPECT_TRUE(match.converged);
@@ -97,7 +100,8 @@ TEST(MatchScan, StaysAtThePredictionWhereTheScoreIsFlat) {
   Eigen::Matrix3d motion = diagonal(0.1, 0.05, 0.03);
   motion(0, 2) = motion(2, 0) = 0.001;
   const Pose2 predicted{1.0, 2.0, -3.0};
-  const ScanMatch match = match_scan([](const Pose2&) { return -7.5; }, predicted, motion, ScanMatcherConfig{});
+  const ScanMatch match =
+      match_scan(smooth_score([](const Pose2&) { return -7.5; }), predicted, motion, ScanMatcherConfig{});
   EXPECT_TRUE(match.converged);
   EXPECT_NEAR(small_motion_between(predicted, match.T_map_base).norm(), 0.0, 1e-9);
   EXPECT_NEAR(match.log_posterior, -7.5, 1e-9);
@@ -115,8 +119,8 @@ TEST(MatchScan, KeepsTheMotionsSpreadAlongACorridor) {
   std::vector<Beam> probes = likelihood.probes_of(clean_sweep(corridor, Pose2{}, 720));
   std::erase_if(probes, [](const Beam& beam) { return std::abs(beam.end.x()) > 3.0; });
   const Eigen::Matrix3d motion = diagonal(0.1, 0.1, 0.05);
-  const ScanMatch match = match_scan([&](const Pose2& pose) { return likelihood.field_log_likelihood(probes, pose); },
-                                     Pose2{0.02, 0.06, 0.02}, motion, ScanMatcherConfig{});
+  const ScanMatch match =
+      match_scan(field_score(likelihood, probes), Pose2{0.02, 0.06, 0.02}, motion, ScanMatcherConfig{});
   EXPECT_NEAR(match.T_map_base.y, 0.0, 0.03);
   EXPECT_NEAR(match.T_map_base.theta, 0.0, 0.01);
   EXPECT_NEAR(std::sqrt(match.covariance(0, 0)), 0.1, 0.03);

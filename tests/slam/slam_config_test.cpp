@@ -18,7 +18,9 @@ motion: {inflation: 2.25, least_sigma_m: 0.004, least_sigma_deg: 0.25}
 registration: {distance_m: 0.3, turn_deg: 10}
 likelihood: {model: beam, beams: 55, effective_beams: 7, hit_share: 0.8, unknown_value: 0.2, range_sigma_m: 0.07, field_sigma_m: 0.06,
              field_sample_m: 0.025}
-matcher: {window_sigmas: 3, coarse_step_m: 0.04, finest_step_m: 0.002, coarse_steps_max: 5}
+tracker: {used: false, beams: 99, gap_m: 0.3, keys: 7, cell_m: 0.06, turn_step_deg: 4, inflation: 2.5, least_sigma_m: 0.04,
+          least_sigma_deg: 0.3, first_reach_m: 0.7, last_reach_m: 0.2, sigma_m: 0.03, point_share: 0.4}
+matcher: {window_sigmas: 3, coarse_step_m: 0.04, coarse_steps_max: 5}
 compass: {used: false, noise_deg: 4, bias_sigma_deg: 5}
 resampling: {effective_share: 0.7, every_step: true}
 )";
@@ -65,9 +67,21 @@ TEST(SlamConfig, ReadsEveryKey) {
   EXPECT_EQ(config.likelihood.range_sigma, 0.07);
   EXPECT_EQ(config.likelihood.field.sigma, 0.06);
   EXPECT_EQ(config.likelihood.field.finest_sample, 0.025);
+  EXPECT_FALSE(config.tracker.used);
+  EXPECT_EQ(config.tracker.beams, 99);
+  EXPECT_EQ(config.tracker.gap, 0.3);
+  EXPECT_EQ(config.tracker.keys, 7);
+  EXPECT_EQ(config.tracker.cell, 0.06);
+  EXPECT_NEAR(config.tracker.turn_step, 4.0 * kDegree, 1e-15);
+  EXPECT_EQ(config.tracker.inflation, 2.5);
+  EXPECT_EQ(config.tracker.least_sigma_position, 0.04);
+  EXPECT_NEAR(config.tracker.least_sigma_heading, 0.3 * kDegree, 1e-15);
+  EXPECT_EQ(config.tracker.match.first_reach, 0.7);
+  EXPECT_EQ(config.tracker.match.last_reach, 0.2);
+  EXPECT_EQ(config.tracker.match.sigma, 0.03);
+  EXPECT_EQ(config.tracker.match.point_share, 0.4);
   EXPECT_EQ(config.matcher.window_sigmas, 3.0);
   EXPECT_EQ(config.matcher.coarse_step, 0.04);
-  EXPECT_EQ(config.matcher.finest_step, 0.002);
   EXPECT_EQ(config.matcher.coarse_steps_max, 5);
   EXPECT_FALSE(config.compass.used);
   EXPECT_NEAR(config.compass.noise, 4.0 * kDegree, 1e-15);
@@ -119,13 +133,19 @@ TEST(SlamConfig, RefusesPartsThatContradictEachOther) {
   EXPECT_EQ(error_text([&] { config.check(); }), "no error");
 }
 
-TEST(SlamConfig, RefusesASearchThatIsTooCoarseForItsClimb) {
+TEST(SlamConfig, RefusesAFieldThatReachesTooManyCells) {
   SlamConfig config;
-  config.matcher.finest_step = config.matcher.coarse_step / 2.0;
+  config.cell_size = 0.02;
+  config.likelihood.field.sigma = 0.42;
   EXPECT_EQ(error_text([&] { config.check(); }), "no error");
-  config.matcher.finest_step *= 1.01;
-  EXPECT_EQ(error_text([&] { config.check(); }),
-            "matcher: finest_step_m must be at most half of coarse_step_m, or the climb never begins");
+  config.likelihood.field.sigma = 0.43;
+  EXPECT_EQ(error_text([&] { config.check(); }), "likelihood: field_sigma_m must be at most 21 cells of 0.02 m");
+}
+
+TEST(SlamConfig, RefusesATrackerThatNarrowsItsReachTheWrongWay) {
+  SlamConfig config;
+  config.tracker.match.last_reach = config.tracker.match.first_reach * 1.01;
+  EXPECT_EQ(error_text([&] { config.check(); }), "tracker: last_reach_m must not exceed first_reach_m");
 }
 
 TEST(SlamConfig, CoversItsAreaWithLatticeCells) {
