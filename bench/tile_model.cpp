@@ -3,7 +3,7 @@
 //   tile_model MAP.npy [...] > slam/codec/context_model_table.cpp && clang-format -i slam/codec/context_model_table.cpp
 //
 // The maps are log-odds on the lattice of unit 0.4, as runs save them. The table that is built in was learned from the
-// MIT CSAIL log (8 particles, cells of 0.1 and 0.05 m) and from the three rooms, not from the Intel log that the sizes
+// MIT CSAIL log (8 particles, cells of 0.1 and 0.05 m) and from two rooms, not from the Intel log that the sizes
 // are stated for.
 
 #include <cstdio>
