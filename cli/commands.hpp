@@ -17,5 +17,6 @@ Command replay_command(CLI::App& program);
 Command validate_command(CLI::App& program);
 Command lab_command(CLI::App& program);
 Command sense_command(CLI::App& program);
+Command world_command(CLI::App& program);
 
 }  // namespace cogslam

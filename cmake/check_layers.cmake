@@ -15,13 +15,13 @@ set(ALLOW_cli core worlds sim sensors slam eval cli)
 set(HOMES
   "box2d/@^sim/[^/]*\\.cpp$"
   "GL/@^sensors/floor_[^/]*\\.cpp$"
-  "opencv2/@^slam/(odometry|mobile_sensing)/[^/]*\\.cpp$"
+  "opencv2/@^(slam/(odometry|mobile_sensing)/[^/]*|worlds/map_contours)\\.cpp$"
   "ceres/@^slam/(odometry|match|mobile_sensing)/[^/]*\\.cpp$"
   "yaml-cpp/@^core/config[^/]*\\.cpp$"
   "zlib\\.h@^(core/text_file|sensors/[a-z_/]*)\\.cpp$"
   "Random123/@^(core/rng|sensors/pixel_noise)\\.cpp$"  # a picture draws a million numbers at once
   "nlohmann/@^eval/"
-  "png\\.h@^eval/"
+  "png\\.h@^(eval/|worlds/map_image_png\\.cpp$)"
   "lz4\\.h@^eval/lab/"
   "zstd\\.h@^eval/lab/"
   "CLI/@^cli/"

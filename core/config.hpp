@@ -47,6 +47,10 @@ class ConfigSection {
   void read(const std::string& key, std::uint32_t& value, Range range = {});
   void read(const std::string& key, bool& value);
   void read(const std::string& key, std::string& value);
+  /// The name of a file. A relative one starts at the folder of the file that names it, or at the working folder where
+  /// --set names it; `value` is what to open. `resolved` keeps it as it stands where it names something in that folder
+  /// or below, else in full, so that a resolved file finds it from its own place.
+  void read(const std::string& key, std::filesystem::path& value);
   void read(const std::string& key, Eigen::Vector2d& value, Range range = {});
   void read(const std::string& key, std::vector<double>& value, Range range = {});
   void read(const std::string& key, std::vector<Eigen::Vector2d>& value, Range range = {});

@@ -111,6 +111,20 @@ void ConfigSection::read(const std::string& key, std::string& value) {
   tree_->note(key, yaml_scalar(value));
 }
 
+void ConfigSection::read(const std::string& key, std::filesystem::path& value) {
+  std::filesystem::path noted = value;
+  if (const auto* entry = tree_->find(key)) {
+    const ConfigTree& given = *entry->value;
+    if (given.kind != ConfigTree::Kind::kText || given.text.empty()) fail_at(given, key, "the name of a file");
+    noted = given.text;
+    const bool by_option = given.place.file.starts_with("--set ");
+    value = by_option ? noted : std::filesystem::path(given.place.file).parent_path() / noted;
+    const bool goes_up = std::find(noted.begin(), noted.end(), "..") != noted.end();
+    if (by_option || goes_up) noted = std::filesystem::absolute(value).lexically_normal();
+  }
+  tree_->note(key, yaml_scalar(noted.string()));
+}
+
 void ConfigSection::read(const std::string& key, Eigen::Vector2d& value, Range range) {
   if (const auto* entry = tree_->find(key)) value = pair_of(*entry->value, key, range);
   tree_->note(key, pair_text(value));

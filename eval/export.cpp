@@ -10,6 +10,7 @@
 #include "core/check.hpp"
 #include "core/output_file.hpp"
 #include "eval/metrics/map_error.hpp"
+#include "worlds/map_file.hpp"
 
 namespace cogslam {
 namespace {
@@ -20,16 +21,16 @@ std::string stamp_text(Time stamp) {
   return fmt::format("{}{}.{:09}", stamp.ns < 0 && whole == 0 ? "-" : "", whole, rest);
 }
 
-char pixel(float log_odds) {
+MapCell map_cell(float log_odds) {
   switch (classify(static_cast<double>(log_odds))) {
     case CellClass::kFree:
-      return static_cast<char>(254);
+      return MapCell::kFree;
     case CellClass::kOccupied:
-      return 0;
+      return MapCell::kOccupied;
     case CellClass::kUnknown:
       break;
   }
-  return static_cast<char>(205);
+  return MapCell::kUnknown;
 }
 
 std::filesystem::path with_suffix(const std::filesystem::path& stem, const char* suffix) {
@@ -55,20 +56,11 @@ void write_trajectory(const std::filesystem::path& file, std::span<const Time> s
   write_file(file, tum_text(stamps, path));
 }
 
-std::string map_pgm_bytes(const Grid<float>& log_odds) {
-  const GridFrame& frame = log_odds.frame();
-  std::string bytes = fmt::format("P5\n{} {}\n255\n", frame.width, frame.height);
-  for (int y = frame.height - 1; y >= 0; --y) {
-    for (int x = 0; x < frame.width; ++x) bytes += pixel(log_odds[{x, y}]);
-  }
-  return bytes;
-}
-
-std::string map_yaml_text(const GridFrame& frame, const std::string& image) {
-  return fmt::format(
-      "image: {}\nmode: trinary\nresolution: {}\norigin: [{}, {}, 0.0]\nnegate: 0\n"
-      "occupied_thresh: 0.65\nfree_thresh: 0.196\n",
-      image, frame.cell_size, frame.origin().x(), frame.origin().y());
+OccupancyMap ternary_map(const Grid<float>& log_odds) {
+  std::vector<MapCell> cells;
+  cells.reserve(log_odds.values().size());
+  for (const float value : log_odds.values()) cells.push_back(map_cell(value));
+  return map_on(log_odds.frame(), std::move(cells));
 }
 
 std::string map_npy_bytes(const Grid<float>& log_odds) {
@@ -91,8 +83,9 @@ std::string map_npy_bytes(const Grid<float>& log_odds) {
 
 void write_map(const std::filesystem::path& stem, const Grid<float>& log_odds) {
   const std::filesystem::path pgm = with_suffix(stem, ".pgm");
-  write_file(pgm, map_pgm_bytes(log_odds));
-  write_file(with_suffix(stem, ".yaml"), map_yaml_text(log_odds.frame(), pgm.filename().string()));
+  const OccupancyMap map = ternary_map(log_odds);
+  write_file(pgm, map_pgm_bytes(map));
+  write_file(with_suffix(stem, ".yaml"), map_yaml_text(map, pgm.filename().string()));
   write_file(with_suffix(stem, ".npy"), map_npy_bytes(log_odds));
 }
 

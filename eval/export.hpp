@@ -7,6 +7,7 @@
 #include "core/grid.hpp"
 #include "core/pose2.hpp"
 #include "core/time.hpp"
+#include "worlds/occupancy_map.hpp"
 
 // Paths and maps in the formats of others. `*_text` and `*_bytes` make the content; `write_*` write it, whole or not
 // at all (core/output_file.hpp), and throw InputError where they cannot.
@@ -21,12 +22,8 @@ namespace cogslam {
 std::string tum_text(std::span<const Time> stamps, std::span<const Pose2> path);
 void write_trajectory(const std::filesystem::path& file, std::span<const Time> stamps, std::span<const Pose2> path);
 
-/// Binary PGM (P5) of a map of log-odds, as ROS map_server's trinary mode reads it: 0 occupied, 254 free, 205 unknown
-/// by `classify`. The first row of the picture is the top row of the map.
-std::string map_pgm_bytes(const Grid<float>& log_odds);
-
-/// The YAML file that goes with it; `origin` is the lower-left corner of the lower-left cell [m, m, rad].
-std::string map_yaml_text(const GridFrame& frame, const std::string& image);
+/// What a map of log-odds says of each cell, by `classify`, as worlds/map_file.hpp writes it for ROS.
+OccupancyMap ternary_map(const Grid<float>& log_odds);
 
 /// Every bit of the log-odds as a NumPy 1.0 file: little-endian float32, C order, shape (height, width). The first row
 /// is the bottom row of the map, as in memory: value [y, x] belongs to the cell whose lower-left corner is

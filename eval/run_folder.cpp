@@ -8,6 +8,7 @@
 #include "eval/new_folder.hpp"
 #include "eval/report/map_picture.hpp"
 #include "eval/report/room_picture.hpp"
+#include "worlds/map_file.hpp"
 
 namespace cogslam {
 namespace {
@@ -15,11 +16,29 @@ namespace {
 /// What every file of one variant begins with.
 std::string stem(const VariantRun& run) { return fmt::format("{}_{}m", run.record.name, run.record.cell_size_m); }
 
+/// The map that the world was drawn from, or nothing.
+const OccupancyMap* world_map_of(const RunFiles& files) {
+  return files.truth != nullptr ? files.truth->world.map.get() : nullptr;
+}
+
+/// The configuration; a map that it names lies beside it in the folder, whatever its name was.
+std::string config_of(const RunFiles& files) {
+  if (world_map_of(files) == nullptr) return files.config;
+  const std::string before = "  kind: map\n  map: ";  // as a resolved file always has it
+  const std::size_t at = files.config.find(before);
+  if (at == std::string::npos) return files.config;
+  std::string text = files.config;
+  const std::size_t name = at + before.size();
+  return text.replace(name, text.find('\n', name) - name, "world.yaml");
+}
+
 /// The same for the same configuration, readings and scores; costs play no part.
 std::string content_name(const RunFiles& files) {
   const RunRecord& record = files.episode.record;
   Hash hash;
-  hash.add(files.config).add(record.seed).add(record.readings_hash.value_or("")).add(files.save_readings);
+  hash.add(config_of(files)).add(record.seed).add(record.readings_hash.value_or("")).add(files.save_readings);
+  if (const OccupancyMap* map = world_map_of(files))
+    hash.add(map_yaml_text(*map, "world.pgm")).add(map_pgm_bytes(*map));
   for (const VariantRun& run : files.episode.runs) hash.add(stem(run)).add(scores_json({.variants = {run.record}}));
   return record.scenario + "-" + hash.hex();
 }
@@ -43,7 +62,11 @@ class FolderWriter {
   }
 
   void write_shared() const {
-    write_file(folder_ / files_.config_name, files_.config);
+    write_file(folder_ / files_.config_name, config_of(files_));
+    if (const OccupancyMap* map = world_map_of(files_)) {
+      write_file(folder_ / "world.yaml", map_yaml_text(*map, "world.pgm"));
+      write_file(folder_ / "world.pgm", map_pgm_bytes(*map));
+    }
     write_file(folder_ / "scores.json", to_json(files_.episode.record));
     write_trajectory(folder_ / "odometry.tum", stamps_, odometry_);
     if (files_.save_readings) write_recording(folder_ / "readings.bin", files_.recording);

@@ -22,6 +22,7 @@ struct RunFiles {
 /// runs that differ do not share one. In the folder:
 ///
 ///   scores.json, the configuration
+///   world.{pgm,yaml}                              the map that the world was drawn from, where there was one
 ///   truth.tum, odometry.tum, reference.tum, <variant>_<cell size>m_{online,final}.tum
 ///   <variant>_<cell size>m.{pgm,yaml,npy}         the map
 ///   <variant>_<cell size>m_map.png, _paths.png     the map beside the true one, and the room with the paths

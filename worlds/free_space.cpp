@@ -33,14 +33,29 @@ std::optional<double> crossing_x(const Segment& s, const Segment& t) {
   return s.a.x() + (s.b.x() - s.a.x()) * (start / (start - end));
 }
 
+/// Numbers of the surfaces, by their left ends.
+std::vector<std::size_t> from_left_to_right(const std::vector<Segment>& surfaces) {
+  std::vector<std::size_t> order(surfaces.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&surfaces](std::size_t i, std::size_t j) {
+    const double x_i = surfaces[i].a.x(), x_j = surfaces[j].a.x();
+    return x_i != x_j ? x_i < x_j : i < j;
+  });
+  return order;
+}
+
 /// x of every corner and crossing, ascending, those less than kSame apart taken once.
 std::vector<double> slab_borders(const std::vector<Segment>& surfaces) {
   std::vector<double> all;
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    all.push_back(surfaces[i].a.x());
-    all.push_back(surfaces[i].b.x());
-    for (std::size_t j = i + 1; j < surfaces.size(); ++j) {
-      if (const auto x = crossing_x(surfaces[i], surfaces[j])) all.push_back(*x);
+  const std::vector<std::size_t> order = from_left_to_right(surfaces);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Segment& s = surfaces[order[i]];
+    all.push_back(s.a.x());
+    all.push_back(s.b.x());
+    for (std::size_t j = i + 1; j < order.size() && surfaces[order[j]].a.x() <= s.b.x(); ++j) {
+      // Rounding depends on which of the two comes first: their own order, whatever lies further left.
+      const auto [first, second] = std::minmax(order[i], order[j]);
+      if (const auto x = crossing_x(surfaces[first], surfaces[second])) all.push_back(*x);
     }
   }
   std::sort(all.begin(), all.end());

@@ -12,7 +12,8 @@ namespace cogslam {
 /// Faces of neighbouring slabs that share a piece of their common border, not covered by an upright surface, are
 /// joined. Gaps and corners that differ by less than a nanometre are the same.
 ///
-/// n surfaces cost O(n^2) to build, O(log n) to ask. Loops may touch, overlap and enclose each other.
+/// n surfaces cost O(n^2) to build at worst, far less where most lie apart along x, and O(log n) to ask. Loops may
+/// touch, overlap and enclose each other.
 class FreeSpace {
  public:
   explicit FreeSpace(const World& world);

@@ -1,7 +1,7 @@
 #include "worlds/truth_grid.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/cell_walk.hpp"
 #include "core/check.hpp"
@@ -17,38 +17,57 @@ double snapped(double cells) {
   return std::abs(cells - border) < kSame ? border : cells;
 }
 
-void mark_surface(const Segment& s, Grid<TruthCell>& grid) {
+Cell floor_of(const Eigen::Vector2d& p) {
+  return {static_cast<int>(std::floor(p.x())), static_cast<int>(std::floor(p.y()))};
+}
+
+/// Whether the line from `from` to `to` passes a cell by, touching no more than a corner of it. Told of cells between
+/// the first and the last only, where that means a corner that the line runs on through.
+bool passes_by(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Cell c) {
+  if (from.x() == to.x() || from.y() == to.y()) return false;
+  const double slope = (to.y() - from.y()) / (to.x() - from.x());
+  const double on_left = from.y() + slope * (std::max<double>(c.x, std::min(from.x(), to.x())) - from.x());
+  const double on_right = from.y() + slope * (std::min<double>(c.x + 1, std::max(from.x(), to.x())) - from.x());
+  return std::max(on_left, on_right) < c.y + kSame || std::min(on_left, on_right) > c.y + 1 - kSame;
+}
+
+void mark_surface(const Segment& s, Grid<std::uint8_t>& grid) {
   const GridFrame& frame = grid.frame();
   const auto in_cells = [&frame](const Eigen::Vector2d& p) {
     return Eigen::Vector2d{snapped(p.x() / frame.cell_size) - frame.lattice_min.x,
                            snapped(p.y() / frame.cell_size) - frame.lattice_min.y};
   };
-  Eigen::Vector2d from = in_cells(s.a), to = in_cells(s.b);
-  // From left to right, the walk makes one step too many only where the segment rises exactly through a corner.
-  if (to.x() < from.x()) std::swap(from, to);
-  const bool rises = to.y() > from.y() && to.x() > from.x();
-  const double slope = rises ? (to.y() - from.y()) / (to.x() - from.x()) : 0.0;
+  const Eigen::Vector2d from = in_cells(s.a), to = in_cells(s.b);
+  const Cell first = floor_of(from), last = floor_of(to);
   walk_cells(from, to, [&](Cell c) {
-    const bool passes_above = rises && c.x >= from.x() && from.y() + slope * (c.x - from.x()) > c.y + 1 - kSame;
-    if (frame.contains(c) && !passes_above) grid[c] = TruthCell::kOccupied;
+    const bool between = c != first && c != last;
+    if (frame.contains(c) && !(between && passes_by(from, to, c))) grid[c] = 1;
     return true;
   });
 }
 
 }  // namespace
 
+Grid<std::uint8_t> crossed_cells(const World& world, const GridFrame& frame) {
+  Grid<std::uint8_t> crossed(frame);
+  for (const Segment& s : world.segments()) mark_surface(s, crossed);
+  return crossed;
+}
+
 Grid<TruthCell> truth_grid(const World& world, double cell_size) {
   EXPECTS(cell_size > 0.0);
-  Grid<TruthCell> grid(GridFrame::covering(world.bounds(), cell_size), TruthCell::kUnobservable);
-  for (const Segment& s : world.segments()) mark_surface(s, grid);
-
+  const GridFrame frame = GridFrame::covering(world.bounds(), cell_size);
+  Grid<TruthCell> grid(frame, TruthCell::kUnobservable);
+  const Grid<std::uint8_t> crossed = crossed_cells(world, frame);
   const FreeSpace free_space(world);
-  const GridFrame& frame = grid.frame();
   for (int y = 0; y < frame.height; ++y) {
     for (int x = 0; x < frame.width; ++x) {
-      // No surface crosses the cell, so its centre speaks for all of it.
       const Cell c{x, y};
-      if (grid[c] != TruthCell::kOccupied && free_space.contains(frame.centre_of(c))) grid[c] = TruthCell::kFree;
+      if (crossed[c] != 0) {
+        grid[c] = TruthCell::kOccupied;
+      } else if (free_space.contains(frame.centre_of(c))) {  // no surface crosses it: its centre speaks for all of it
+        grid[c] = TruthCell::kFree;
+      }
     }
   }
   return grid;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/grid_frame.hpp"
@@ -34,6 +35,8 @@ struct SlipPatch {
   double friction = 0.2;  ///< share of the usual friction, in [0, 1]
 };
 
+struct OccupancyMap;
+
 /// What is there: surfaces and floor, a plain value. Surfaces have no thickness. A point is free where the start can be
 /// reached without crossing a surface, so walls need no inside; solid boxes are loops like any other.
 struct World {
@@ -41,7 +44,8 @@ struct World {
   std::vector<Polygon> obstacles;  ///< boxes and other loops that stand in it
   Floor floor{};
   std::vector<SlipPatch> slip_patches;
-  Pose2 start{};  ///< T_map_base at time 0; the map frame is the world frame
+  Pose2 start{};                            ///< T_map_base at time 0; the map frame is the world frame
+  std::shared_ptr<const OccupancyMap> map;  ///< that the surfaces were drawn from, where there was one
 
   /// Every surface, walls first, in the order of their corners.
   [[nodiscard]] std::vector<Segment> segments() const;

@@ -3,13 +3,14 @@
 #include "worlds/clearance.hpp"
 #include "worlds/free_space.hpp"
 #include "worlds/hallway.hpp"
+#include "worlds/map_config.hpp"
 #include "worlds/polygon.hpp"
 #include "worlds/rooms.hpp"
 
 namespace cogslam {
 namespace {
 
-enum class WorldKind { kSimple, kCornered, kCluttered, kHallway, kPolygons };
+enum class WorldKind { kSimple, kCornered, kCluttered, kHallway, kPolygons, kMap };
 
 /// A start nearer to a surface than this [m] is on it.
 constexpr double kOnSurface = 1e-6;
@@ -63,6 +64,7 @@ World read_polygons(ConfigSection& section) {
 /// Walls, and the obstacles and the start that belong to a room.
 World read_walls(ConfigSection& section, WorldKind kind) {
   if (kind == WorldKind::kHallway) return hallway();
+  if (kind == WorldKind::kMap) return read_map_world(section);
   return kind == WorldKind::kPolygons ? read_polygons(section) : read_room(section, kind);
 }
 
@@ -106,16 +108,20 @@ void check_world(const ConfigSection& section, const World& world) {
   const Rectangle area = world.bounds();
   const Eigen::Vector2d extent = area.max - area.min;
   if (extent.maxCoeff() > kLargestRoom) {
-    const char* cause = section.has("obstacles") && !section.has("walls") ? "obstacles" : "walls";
+    const char* walls = world.map ? "map" : "walls";
+    const char* cause = section.has("obstacles") && !section.has(walls) ? "obstacles" : walls;
     section.fail(cause, "the world is larger than 200 m, expected at most 200 m each way");
   }
   const Eigen::Vector2d start = world.start.position();
   if (clearance(world, start) < kOnSurface) section.fail("start", "the start lies on a surface, expected free floor");
+  if (world.map) check_map_start(section, world);
   for (const Polygon& obstacle : world.obstacles) {
     if (inside(obstacle, start)) section.fail("start", "the start lies within an obstacle, expected free floor");
   }
   if (!FreeSpace(world).is_closed()) {
-    section.fail("start", "the walls do not close around the start, expected a start inside the room");
+    section.fail("start", world.map ? "the map's walls do not close around the start, expected a start inside them, or "
+                                      "`unknown: solid`, which closes them"
+                                    : "the walls do not close around the start, expected a start inside the room");
   }
 }
 
@@ -128,7 +134,8 @@ World read_world(ConfigSection& section) {
                        {"cornered", WorldKind::kCornered},
                        {"cluttered", WorldKind::kCluttered},
                        {"hallway", WorldKind::kHallway},
-                       {"polygons", WorldKind::kPolygons}});
+                       {"polygons", WorldKind::kPolygons},
+                       {"map", WorldKind::kMap}});
   World world = read_walls(section, kind);
   read_obstacles(section, world);
   read_start(section.section("start"), world.start);

@@ -7,10 +7,11 @@ namespace cogslam {
 
 /// Reads the `world:` section of a scenario and builds the world. Lengths in metres, all keys optional:
 ///
-///     kind: simple | cornered | cluttered | hallway | polygons
+///     kind: simple | cornered | cluttered | hallway | polygons | map
 ///     width_m, length_m, variant        # of a room; see rooms.hpp. The hallway has none: see hallway.hpp
 ///     walls:                            # of `polygons`: loops, at least one
 ///       - corners_m: [[-2, -1.5], [2, -1.5], [2, 1.5], [-2, 1.5]]
+///     map, unknown, simplify_m          # of `map`; see map_config.hpp
 ///     obstacles:                        # loops or boxes, in addition to those of the room
 ///       - corners_m: [[0, 0], [0.4, 0], [0.2, 0.5]]
 ///       - box: {x_m: 1, y_m: 0.5, heading_deg: 30, width_m: 0.4, length_m: 0.6}

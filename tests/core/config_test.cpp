@@ -196,5 +196,24 @@ TEST(Config, SectionsAreSharedBetweenReaders) {
   EXPECT_EQ(config.resolved(), "slam:\n  a: 1\n  b: 2\n");
 }
 
+TEST(Config, FindsFilesFromWhereTheyAreNamed) {
+  const auto read = [](const std::string& text, const std::string& file, const std::string& set = {}) {
+    ConfigSection config = ConfigSection::parse(text, file);
+    if (!set.empty()) config.override_value("map", set);
+    std::filesystem::path value = "none";
+    config.read("map", value);
+    return std::pair(value.string(), config.resolved());
+  };
+  EXPECT_EQ(read("", "/a/s.yaml"), std::pair(std::string("none"), std::string("map: none\n")));
+  EXPECT_EQ(read("map: m/x.yaml", "/a/s.yaml"), std::pair(std::string("/a/m/x.yaml"), std::string("map: m/x.yaml\n")));
+  EXPECT_EQ(read("map: /b/x.yaml", "/a/s.yaml"),
+            std::pair(std::string("/b/x.yaml"), std::string("map: \"/b/x.yaml\"\n")));
+  EXPECT_EQ(read("map: ../x.yaml", "/a/b/s.yaml"),
+            std::pair(std::string("/a/b/../x.yaml"), std::string("map: \"/a/x.yaml\"\n")));
+  const std::string here = std::filesystem::current_path().string();
+  EXPECT_EQ(read("map: y.yaml", "/a/s.yaml", "x.yaml"),
+            std::pair(std::string("x.yaml"), "map: \"" + here + "/x.yaml\"\n"));
+}
+
 }  // namespace
 }  // namespace cogslam

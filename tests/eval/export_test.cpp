@@ -11,6 +11,7 @@
 #include "core/text_file.hpp"
 #include "eval/metrics/map_error.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "worlds/map_file.hpp"
 
 namespace cogslam {
 namespace {
@@ -56,18 +57,18 @@ TEST(Export, RejectsStampsWithoutPoses) {
 }
 
 TEST(Export, WritesThePictureOfTheMapTopRowFirst) {
-  EXPECT_EQ(map_pgm_bytes(small_map()), "P5\n3 2\n255\n" + bytes({0, 205, 254, 254, 205, 0}));
+  EXPECT_EQ(map_pgm_bytes(ternary_map(small_map())), "P5\n3 2\n255\n" + bytes({0, 205, 254, 254, 205, 0}));
 }
 
 TEST(Export, DescribesThePictureAsMapServerReadsIt) {
-  EXPECT_EQ(map_yaml_text({.cell_size = 0.1, .lattice_min = {-3, 2}, .width = 3, .height = 2}, "og.pgm"),
-            "image: og.pgm\nmode: trinary\nresolution: 0.1\norigin: [-0.30000000000000004, 0.2, 0.0]\nnegate: 0\n"
+  EXPECT_EQ(map_yaml_text(ternary_map(small_map()), "og.pgm"),
+            "image: og.pgm\nmode: trinary\nresolution: 0.1\norigin: [-0.30000000000000004, 0.2, 0]\nnegate: 0\n"
             "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
 }
 
 // map_server: occupancy (255 - pixel) / 255, above occupied_thresh occupied, below free_thresh free.
 TEST(Export, SurvivesMapServersThresholds) {
-  const std::string pgm = map_pgm_bytes(small_map());
+  const std::string pgm = map_pgm_bytes(ternary_map(small_map()));
   const std::size_t first = pgm.size() - 6;
   for (int y = 0; y < 2; ++y) {
     for (int x = 0; x < 3; ++x) {
@@ -95,7 +96,7 @@ TEST(Export, WritesEveryBitOfTheMapAsNumpyArray) {
 TEST(Export, WritesThreeFilesForAMapWhoseNameHoldsDots) {
   const TemporaryFolder folder;
   write_map(folder.path() / "og_0.1", small_map());
-  EXPECT_EQ(read_text_file(folder.path() / "og_0.1.pgm", 1000), map_pgm_bytes(small_map()));
+  EXPECT_EQ(read_text_file(folder.path() / "og_0.1.pgm", 1000), map_pgm_bytes(ternary_map(small_map())));
   EXPECT_EQ(read_text_file(folder.path() / "og_0.1.npy", 1000), map_npy_bytes(small_map()));
   EXPECT_THAT(read_text_file(folder.path() / "og_0.1.yaml", 1000), testing::StartsWith("image: og_0.1.pgm\n"));
   EXPECT_THROW(write_map(folder.path() / "no" / "such" / "map", small_map()), InputError);
