@@ -1,8 +1,12 @@
 // Figures 2 and 7 to 9: the hallway, and its partial maps laid out by true poses, by odometry and by corrected poses.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "eval/sense/figure.hpp"
 #include "eval/sense/hallway_study.hpp"
+#include "eval/sense/map_quality.hpp"
 #include "slam/mobile_sensing/stitch.hpp"
 #include "worlds/hallway.hpp"
 #include "worlds/truth_grid.hpp"
@@ -23,36 +27,55 @@ std::vector<Pose2> poses_of(const HallwayRun& run, int figure) {
   return poses;
 }
 
-/// What the pictures show: the hallway and a little around it, alike for all poses; what lies farther out is cut off.
-GridFrame shown() { return GridFrame::covering(hallway().bounds(), kCellSize, 8); }
+/// What the pictures show, alike for all poses: the hallway, and all that a scanner reached from any of them.
+GridFrame shown(const HallwayRun& run) {
+  Rectangle area = hallway().bounds();
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(PartialMapConfig{}.model.range_max_m);
+  for (const int figure : {7, 8, 9}) {
+    for (const Pose2& pose : poses_of(run, figure)) {
+      area = {area.min.cwiseMin(pose.position() - reach), area.max.cwiseMax(pose.position() + reach)};
+    }
+  }
+  return GridFrame::covering(area, kCellSize, 0);
+}
 
-Grid<float> stitched(const HallwayRun& run, const std::vector<Pose2>& poses) {
-  Grid<double> log_odds(shown());
+Grid<double> stitched(const HallwayRun& run, const std::vector<Pose2>& poses) {
+  Grid<double> log_odds(shown(run));
   for (std::size_t i = 0; i < poses.size(); ++i) stitch(log_odds, run.corrected[i].map, poses[i]);
-  Grid<float> out(log_odds.frame());
-  const Grid<double> p = probability(log_odds);
-  for (std::size_t i = 0; i < out.values().size(); ++i) out.values()[i] = static_cast<float>(p.values()[i]);
-  return out;
+  return probability(log_odds);
+}
+
+/// Of the cells of figure 2; those that no partial map knows have 0.5.
+MapQuality quality_of(const Grid<double>& map) {
+  const GridFrame field = truth_grid(hallway(), kCellSize).frame();
+  std::vector<double> cells;
+  for (int y = field.height; y-- > 0;) {
+    for (int x = 0; x < field.width; ++x) cells.push_back(map[map.frame().cell_of(field.centre_of({x, y}))]);
+  }
+  return map_quality(hallway_field().cells, cells);
+}
+
+Grid<float> picture_of(const Grid<double>& map) {
+  Grid<float> picture(map.frame());
+  std::ranges::transform(map.values(), picture.values().begin(), [](double p) { return static_cast<float>(p); });
+  return picture;
 }
 
 }  // namespace
 
 LabFigure figure_hallway(const SenseFigureConfig& /*config*/, Workers& /*workers*/, const LabProgress& /*progress*/) {
-  const Grid<TruthCell> truth = truth_grid(hallway(), kCellSize);
-  Grid<float> map(truth.frame());
+  const FieldMap field = hallway_field();
+  Grid<float> map({.width = field.width, .height = field.height});
   LabFigure figure{.csv = "x,y,occupancy\n"};
-  for (int y = 0; y < map.frame().height; ++y) {
-    for (int x = 0; x < map.frame().width; ++x) {
-      const TruthCell cell = truth[{x, y}];
-      map[{x, y}] = cell == TruthCell::kFree ? 0.0F : cell == TruthCell::kOccupied ? 1.0F : 0.5F;
-      figure.csv += fmt::format("{},{},{}\n", x, y, map[{x, y}]);
-    }
+  for (std::size_t i = 0; i < field.cells.size(); ++i) {
+    const int x = static_cast<int>(i) % field.width, y = field.height - 1 - static_cast<int>(i) / field.width;
+    map[{x, y}] = static_cast<float>(field.cells[i]);
+    figure.csv += fmt::format("{},{},{}\n", x, y, field.cells[i]);
   }
-  figure.sheet = {
-      .heading = "Figure 2: the hallway, every cell known",
-      .charts = {{.title = fmt::format("{} x {} cells of {} m", map.frame().width, map.frame().height, kCellSize),
-                  .x = {.label = "white: free, black: wall, grey: out of reach"},
-                  .image = ChartImage{.values = map}}}};
+  figure.sheet = {.heading = "Figure 2: the hallway, every cell known",
+                  .charts = {{.title = fmt::format("{} x {} cells of {} m", field.width, field.height, kCellSize),
+                              .x = {.label = "white: free, black: wall, grey: out of reach"},
+                              .image = ChartImage{.values = std::move(map)}}}};
   return figure;
 }
 
@@ -69,13 +92,15 @@ LabFigure figure_stitched(int number) {
     figure.csv += fmt::format("{},{},{},{},{},{},{}\n", i, poses[i].x, poses[i].y, degrees(poses[i].theta), truth.x,
                               truth.y, degrees(truth.theta));
   }
+  const Grid<double> map = stitched(run, poses);
   figure.sheet = {
       .heading = fmt::format("Figure {}: {} partial maps stitched by {}", number, poses.size(), by),
       .charts = {{.title = fmt::format("rms: heading {:.2f} deg, across {:.2f} m, along {:.2f} m",
                                        degrees(error.heading), error.across, error.along),
-                  .x = {.label = fmt::format("{} of {} cells sampled, every {} m, seed {}", correction.samples,
-                                             correction.map.cells(), drive.step_m, kSeed)},
-                  .image = ChartImage{.values = stitched(run, poses)}}}};
+                  .x = {.label = quality_line(quality_of(map))},
+                  .image = ChartImage{.values = picture_of(map)}}},
+      .note = fmt::format("{} of {} cells of a partial map sampled, one every {} m, seed {}; scores: against figure 2",
+                          correction.samples, correction.map.cells(), drive.step_m, kSeed)};
   return figure;
 }
 

@@ -36,10 +36,7 @@ Chart picture_of(const FieldMap& map, const std::vector<double>& field, const st
 Chart recovered_picture(const FieldMap& map, CellChoice choice, FieldPrior prior, std::size_t count,
                         const std::string& title) {
   const std::vector<double> field = recover_field({.prior = prior}, sense_map(map, choice, count, 1)).field;
-  const MapQuality q = map_quality(map.cells, field);
-  return picture_of(
-      map, field, title,
-      fmt::format("relative error {:.3f}, accuracy {:.3f}, wall F1 {:.3f}", q.relative_error, q.accuracy, q.wall_f1));
+  return picture_of(map, field, title, quality_line(map_quality(map.cells, field)));
 }
 
 Series series_of(const std::vector<RecoveryScore>& scores, const RecoveryScore& like, double MapQuality::*value,

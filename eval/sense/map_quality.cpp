@@ -1,5 +1,7 @@
 #include "eval/sense/map_quality.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,6 +56,11 @@ MapQuality map_quality(std::span<const double> truth, std::span<const double> es
           .wall_precision = share(hits, found),
           .wall_recall = share(hits, walls),
           .wall_f1 = share(2.0 * hits, found + walls)};
+}
+
+std::string quality_line(const MapQuality& quality) {
+  return fmt::format("relative error {:.3f}, PSNR {:.1f} dB, accuracy {:.3f}, wall F1 {:.3f}", quality.relative_error,
+                     quality.psnr_db, quality.accuracy, quality.wall_f1);
 }
 
 }  // namespace cogslam

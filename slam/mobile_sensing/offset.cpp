@@ -15,6 +15,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kLeastGradient = 1e-8;  // an eigenvalue below is rounding [1/cell^2]; faint walls have 1e-5
+constexpr double kLargestJump = 0.1;     // of the minimum between two sides of a place where steps turn back [cells]
 
 /// Sums over the overlap. Steps are x, y [cells] and a turn about `centre`, in the frame of the second map, its turn
 /// multiplied by `radius` so that all three are in cells.
@@ -163,13 +164,20 @@ bool Registration::pass(const Level& level) {
   const double shift = config_.outlier / config_.prior_sigma_cells;
   const double turn = config_.outlier / (config_.prior_sigma_turn * overlap_.radius);
   const Matrix3d prior = Vector3d(shift * shift, shift * shift, turn * turn).asDiagonal();
+  // Cells come into the overlap and go out of it, and with them the sums jump: steps can go to and fro for ever.
+  Vector3d before = Vector3d::Zero();
+  double share = 1.0;
   for (int i = 0; i < config_.iterations; ++i) {
     const NormalEquations sums = equations(level);
     const Matrix3d seen = observed_.transpose() * (sums.gradients + prior) * observed_;
     const Vector3d pull = observed_.transpose() * (sums.right + prior * from_prior());
     const Vector3d delta = -observed_ * seen.completeOrthogonalDecomposition().solve(pull);
-    T_ = T_ * step(delta);
-    if (delta.cwiseAbs().maxCoeff() < config_.stop_cells) return true;
+    const bool turns_back = delta.dot(before) < 0.0 && delta.norm() > 0.5 * before.norm();
+    if (turns_back) share *= 0.5;
+    T_ = T_ * step(share * delta);
+    const double largest = delta.cwiseAbs().maxCoeff();
+    if (share * largest < config_.stop_cells) return largest < kLargestJump;
+    before = delta;
   }
   return false;
 }
