@@ -39,7 +39,8 @@ class Shades {
 void draw_image(ChartPen& pen, const ChartImage& image, const Eigen::Vector2d& corner, double width, double height) {
   const GridFrame& frame = image.values.frame();
   EXPECTS(frame.size() > 0);
-  const double fit = std::min(width / frame.width, height / frame.height), cell = fit > 1.0 ? std::floor(fit) : fit;
+  const double fit = std::min(width / frame.width, height / frame.height),
+               cell = fit > 1.0 ? std::floor(2.0 * fit) / 2.0 : fit;
   const double left = std::floor(corner.x() + (width - cell * frame.width) / 2.0);
   const Shades shades(image);
   pen.rectangle(left - 1, corner.y() - 1, cell * frame.width + 2, cell * frame.height + 2, kGrey);

@@ -59,7 +59,7 @@ MapQuality map_quality(std::span<const double> truth, std::span<const double> es
 }
 
 std::string quality_line(const MapQuality& quality) {
-  return fmt::format("relative error {:.3f}, PSNR {:.1f} dB, accuracy {:.3f}, wall F1 {:.3f}", quality.relative_error,
+  return fmt::format("error {:.3f}, PSNR {:.1f} dB, accuracy {:.3f}, wall F1 {:.3f}", quality.relative_error,
                      quality.psnr_db, quality.accuracy, quality.wall_f1);
 }
 

@@ -22,7 +22,7 @@ struct MapQuality {
 /// `truth` and `estimate`: of one size, at least one cell.
 [[nodiscard]] MapQuality map_quality(std::span<const double> truth, std::span<const double> estimate);
 
-/// "relative error 0.510, PSNR 11.9 dB, accuracy 0.880, wall F1 0.134"
+/// "error 0.510, PSNR 11.9 dB, accuracy 0.880, wall F1 0.134": the relative one.
 [[nodiscard]] std::string quality_line(const MapQuality& quality);
 
 }  // namespace cogslam

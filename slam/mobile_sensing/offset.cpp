@@ -17,6 +17,8 @@ using Eigen::Vector3d;
 constexpr double kLeastGradient = 1e-8;  // an eigenvalue below is rounding [1/cell^2]; faint walls have 1e-5
 constexpr double kLargestJump = 0.1;     // of the minimum between two sides of a place where steps turn back [cells]
 
+constexpr double kFarthest = 3.0;  // sigmas of the prior; farther lies another wall of the same look
+
 /// Sums over the overlap. Steps are x, y [cells] and a turn about `centre`, in the frame of the second map, its turn
 /// multiplied by `radius` so that all three are in cells.
 struct NormalEquations {
@@ -74,7 +76,9 @@ class Registration {
   [[nodiscard]] NormalEquations equations(const Level& level) const;
   void decide_observable(const Level& level, Offset& out);
   bool pass(const Level& level);
+  bool all_passes();
   [[nodiscard]] Vector3d from_prior() const;
+  [[nodiscard]] bool is_near_prior() const;
   [[nodiscard]] Pose2 step(const Vector3d& delta) const;
 
   const OffsetConfig& config_;
@@ -160,6 +164,12 @@ Vector3d Registration::from_prior() const {
   return {moved.x(), moved.y(), T.theta * overlap_.radius};
 }
 
+bool Registration::is_near_prior() const {
+  const Vector3d moved = from_prior();
+  return moved.head<2>().norm() <= kFarthest * config_.prior_sigma_cells &&
+         std::abs(moved.z()) <= kFarthest * config_.prior_sigma_turn * overlap_.radius;
+}
+
 bool Registration::pass(const Level& level) {
   const double shift = config_.outlier / config_.prior_sigma_cells;
   const double turn = config_.outlier / (config_.prior_sigma_turn * overlap_.radius);
@@ -182,6 +192,13 @@ bool Registration::pass(const Level& level) {
   return false;
 }
 
+/// Whether the last one comes to rest.
+bool Registration::all_passes() {
+  bool rests = false;
+  for (const Level& level : levels_) rests = pass(level);
+  return rests;
+}
+
 Offset Registration::run(Pose2 T_cells) {
   T_ = prior_ = T_cells;
   Offset out;
@@ -189,12 +206,17 @@ Offset Registration::run(Pose2 T_cells) {
   out.overlap_cells = overlap_.weight;
   if (overlap_.weight < config_.least_overlap_cells) return out;
   decide_observable(levels_[levels_.size() / 2], out);
-  bool rests = out.observed_directions > 0;
-  for (const Level& level : levels_) rests = out.observed_directions > 0 && pass(level);
+  bool rests = out.observed_directions > 0 && all_passes();
+  if (!is_near_prior() && out.observed_directions > 1) {
+    observed_.col(0).setZero();  // it slid along the weakest one that seemed observed
+    --out.observed_directions;
+    T_ = prior_;
+    rests = all_passes();
+  }
   const NormalEquations last = equations(levels_.back());
   out.overlap_cells = last.weight;
   out.rms_difference = last.weight > 0.0 ? std::sqrt(last.squares / last.weight) : 0.0;
-  out.estimated = rests && last.weight >= config_.least_overlap_cells;
+  out.estimated = rests && is_near_prior() && last.weight >= config_.least_overlap_cells;
   return out;
 }
 

@@ -30,7 +30,7 @@ struct OffsetConfig {
 /// What the comparison says of the motion, and what it cannot say.
 struct Offset {
   Pose2 T_first_second{};       ///< pose of the second map's base seen from the first's; the prior where not observed
-  bool estimated = false;       ///< enough overlap, and the last pass came to rest
+  bool estimated = false;       ///< enough overlap, and the last pass came to rest within 3 sigmas of the prior
   int observed_directions = 0;  ///< of 3; along the others the prior holds
   /// Of the gradient matrix over the overlap, ascending, per cell: [1/cell^2], the rotation in units of the overlap's
   /// radius (a turn that moves its rim by one cell counts as one cell).

@@ -72,6 +72,18 @@ TEST(HallwayStudy, CorrectsHeadingAndCrossCorridorErrorTenfold) {
   EXPECT_EQ(hallway_csv(run_hallway_study(study, alone)), hallway_csv(scores));
 }
 
+/// The drive with the default settings.
+HallwayScore score_of(std::uint32_t seed) { return score_hallway(run_hallway({}, {}, seed), seed); }
+
+// In look 19 the corridor's length is barely seen, and 4 m on lies a wall that fits as well.
+TEST(HallwayStudy, DoesNotSlideToAnotherWallOfTheSameLook) {
+  const HallwayScore score = score_of(2199);
+  EXPECT_LT(score.corrected.across, 0.2 * score.odometry.across);
+}
+
+// In look 31 cells come into the overlap and go out of it by turns, and a step of 0.002 cells goes to and fro.
+TEST(HallwayStudy, ComesToRestWhereTheOverlapChangesByTurns) { EXPECT_EQ(score_of(764).not_estimated, 0); }
+
 TEST(OffsetStudy, FindsOffsetsOfDrawnMapsToATwentiethOfACell) {
   Workers workers(2);
   const OffsetSummary s = summarise(run_offset_study({.draws = 60}, workers));
