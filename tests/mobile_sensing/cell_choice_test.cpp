@@ -91,6 +91,25 @@ TEST(UncertainCells, HalveTheDistanceBetweenSamplesThatDisagree) {
   EXPECT_THAT(samples.cells, testing::IsSupersetOf({436U, 437U})) << "found among 1000 cells with 40 samples";
 }
 
+// Stripes 50 cells wide, 40 random samples: of all pairs of neighbours that disagree the farthest apart comes first.
+TEST(UncertainCells, ComeFirstBetweenTheFarthestSamplesThatDisagree) {
+  const auto stripes = [](std::uint32_t cell) { return cell / 50 % 2 == 0 ? 0.0 : 1.0; };
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    std::vector<std::uint32_t> known = sense_random_cells(1000, 1, 40, seed, stripes).cells;
+    const UncertainCells plan{.random_share = 40.0 / 41.0, .edge_share = 0.0, .rounds = 1};
+    const std::uint32_t chosen = sense_uncertain_cells(plan, 1000, 1, 41, seed, stripes).cells.back();
+    std::ranges::sort(known);
+    std::uint32_t widest = 0, around = 0;
+    for (std::size_t i = 1; i < known.size(); ++i) {
+      if (stripes(known[i]) == stripes(known[i - 1])) continue;
+      const std::uint32_t gap = known[i] - known[i - 1];
+      widest = std::max(widest, gap);
+      if (known[i - 1] < chosen && chosen < known[i]) around = gap;
+    }
+    EXPECT_GE(around + 1, widest) << "seed " << seed;  // halves of even and odd gaps tie
+  }
+}
+
 TEST(RayCells, AreDistinctSeenCellsRichInWalls) {
   const CellSamples samples = sense_ray_cells({}, kSide, kSide, 200, 1, room);
   expect_samples_of_room(samples, 200);
