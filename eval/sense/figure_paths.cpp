@@ -108,8 +108,8 @@ LabFigure figure_stitched(int number) {
                                                    degrees(error.heading), error.across, error.along),
                               .x = {.label = quality_line(quality_of(map))},
                               .image = ChartImage{.values = picture_of(map)}}},
-                  .note = fmt::format("{} of {} cells, a map every {} m, seed {}; truth: figure 2",
-                                      correction.samples, correction.map.cells(), drive.step_m, kSeed)};
+                  .note = fmt::format("{} of {} cells, a map every {} m, seed {}; truth: figure 2", correction.samples,
+                                      correction.map.cells(), drive.step_m, kSeed)};
   return figure;
 }
 
