@@ -18,5 +18,6 @@ Command validate_command(CLI::App& program);
 Command lab_command(CLI::App& program);
 Command sense_command(CLI::App& program);
 Command world_command(CLI::App& program);
+Command generate_command(CLI::App& program);
 
 }  // namespace cogslam

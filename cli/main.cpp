@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <span>
 #include <string>
@@ -33,16 +32,15 @@ int run_parsed(const std::vector<Command>& commands) {
 
 /// The parser would only say that a subcommand is required. `words`: what follows the name of `parser`.
 void reject_unknown_command(const CLI::App& parser, std::span<char* const> words) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : parser.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(command->get_name());
-  }
-  if (names.empty() || words.empty()) return;
+  if (words.empty()) return;
   const std::string word = words.front();
   if (word.starts_with('-')) return;
-  if (std::find(names.begin(), names.end(), word) != names.end()) {
-    return reject_unknown_command(*parser.get_subcommand(word), words.subspan(1));
+  std::vector<std::string> names;
+  for (const CLI::App* command : parser.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == word) return reject_unknown_command(*command, words.subspan(1));
+    if (!command->get_group().empty()) names.push_back(command->get_name());
   }
+  if (names.empty()) return;
   const std::string near = nearest_name(word, names);
   throw InputError("unknown command '" + word + "'" +
                    (near.empty() ? ", expected one of " + fmt::format("{}", fmt::join(names, ", "))
@@ -52,11 +50,13 @@ void reject_unknown_command(const CLI::App& parser, std::span<char* const> words
 int main_program(int argc, char** argv) {
   CLI::App program("FastSLAM with compressed occupancy grids: simulate, record, replay and score.", "cogslam");
   program.require_subcommand(1);
+  program.set_version_flag("--version", "cogslam " COGSLAM_VERSION);
   program.footer(
       "Exit codes: 0 ok, 1 gate failed, 2 usage or scenario error, 3 a run failed, 4 nothing measured, "
       "130 interrupted.\nData go to standard output, messages to standard error.");
-  const std::vector<Command> commands{run_command(program), replay_command(program), validate_command(program),
-                                      lab_command(program), sense_command(program),  world_command(program)};
+  const std::vector<Command> commands{run_command(program),     replay_command(program), validate_command(program),
+                                      lab_command(program),     sense_command(program),  world_command(program),
+                                      generate_command(program)};
   try {
     if (argc > 1) reject_unknown_command(program, {argv + 1, static_cast<std::size_t>(argc - 1)});
     program.parse(argc, argv);

@@ -9,6 +9,7 @@ function(cogslam_layer name)
   endforeach()
   if(NOT sources)  # headers only
     add_library(cogslam_${name} INTERFACE)
+    set_target_properties(cogslam_${name} PROPERTIES EXPORT_NAME ${name})
     target_link_libraries(cogslam_${name} INTERFACE cogslam_options Eigen3::Eigen ${ARG_LINKS})
     return()
   endif()
