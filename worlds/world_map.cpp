@@ -25,8 +25,7 @@ void mark_inside(const std::vector<Segment>& sides, double p_y, int y, Grid<std:
   }
 }
 
-/// Cells inside an odd number of loops. Asked a quarter above their centre, which the loops of a map run through; where
-/// a surface crosses a cell the answer may be either.
+/// Cells whose centre lies inside an odd number of loops; where a surface runs through it the answer may be either.
 Grid<std::uint8_t> inside_of(const std::vector<Polygon>& loops, const GridFrame& frame) {
   std::vector<Segment> sides;
   for (const Polygon& loop : loops) {
@@ -35,7 +34,7 @@ Grid<std::uint8_t> inside_of(const std::vector<Polygon>& loops, const GridFrame&
   }
   Grid<std::uint8_t> inside(frame);
   for (int y = 0; y < frame.height; ++y) {
-    mark_inside(sides, frame.centre_of({0, y}).y() + 0.25 * frame.cell_size, y, inside);
+    mark_inside(sides, frame.centre_of({0, y}).y(), y, inside);
   }
   return inside;
 }

@@ -69,6 +69,26 @@ TEST(ShippedHallway, DrivesFromTheLowerHallwayRoundACornerWithoutTouchingAnythin
   EXPECT_GT(before.y(), scenario.world.start.y + 10.0) << "the corner was turned";
 }
 
+TEST(ShippedFlat, DrivesThroughTheDoorsOfAMapWithoutTouchingAnything) {
+  const Scenario scenario = shipped("flat");
+  ASSERT_NE(scenario.world.map, nullptr);
+  const Drive drive = record_drive(scenario);
+  EXPECT_FALSE(drive.stuck);
+  double way = 0.0, lowest = 1e9, highest = -1e9;
+  Eigen::Vector2d before = scenario.world.start.position();
+  for (const TruePose& pose : drive.truth.poses) {
+    const Eigen::Vector2d p_map = pose.T_map_base.position();
+    EXPECT_GT(clearance(drive.truth.world, p_map), kBodyRadius) << pose.stamp.seconds() << " s";
+    way += (p_map - before).norm();
+    lowest = std::min(lowest, p_map.y());
+    highest = std::max(highest, p_map.y());
+    before = p_map;
+  }
+  EXPECT_GT(way, 15.0);
+  EXPECT_LT(lowest, 2.5) << "in the rooms below the corridor";
+  EXPECT_GT(highest, 6.0) << "and in one above it";
+}
+
 TEST(ResolvedScenario, LoadsAsItself) {
   const Scenario scenario = shipped("cluttered");
   EXPECT_EQ(read_scenario(ConfigSection::parse(scenario.resolved, "resolved"), "other").resolved, scenario.resolved);

@@ -58,6 +58,9 @@ TEST(MapFile, ComparesDarknessWithTheThresholds) {
               ElementsAre(kOccupied, kOccupied, kOccupied, kUnknown, kUnknown, kFree));
   EXPECT_THAT(map_of(row, kHead + "occupied_thresh: 0.2\nfree_thresh: 0.2\nmode: scale\n").cells,
               ElementsAre(kFree, kFree, kFree, kOccupied, kOccupied, kOccupied));
+  EXPECT_THAT(map_of("P2 2 1 255 255 0", kHead + "occupied_thresh: 1\nfree_thresh: 0\n").cells,
+              ElementsAre(kUnknown, kUnknown))
+      << "a threshold itself is neither free nor occupied";
   EXPECT_THAT(map_of("P2 5 1 255 0 19 50 100 101", kHead + "mode: raw\n").cells,
               ElementsAre(kFree, kFree, kUnknown, kOccupied, kUnknown));
   EXPECT_THAT(map_of("P2 2 1 1000 1000 0").cells, ElementsAre(kFree, kOccupied));
