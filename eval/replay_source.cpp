@@ -24,9 +24,8 @@ SlamConfig log_defaults() {
   slam.particles = 30;
   slam.cell_size = 0.05;
   slam.proposal = Proposal::kScanMatched;
-  slam.registration = {.distance = 0.3, .turn = radians(15.0)};
+  slam.registration = {.distance = 0.5, .turn = radians(20.0)};
   slam.likelihood.field.sigma = 0.05;
-  slam.matcher.coarse_steps_max = 1;  // tracking leads near
   return slam;
 }
 

@@ -10,26 +10,21 @@
 
 namespace cogslam {
 
-struct FastSlam::WorkerScratch {
-  explicit WorkerScratch(const SlamConfig& config) : likelihood(config.likelihood, config.cell_size) {}
-  MapScratch map;
-  CellWindow loaded;  ///< asked for; the map may hold less
-  MapUpdater updater;
-  ScanLikelihood likelihood;
-};
-
 FastSlam::FastSlam(const SlamConfig& config, std::uint32_t seed, Workers& workers)
-    : config_(config), seed_(seed), workers_(workers), meter_(std::make_shared<MemoryMeter>()), motion_(config.motion) {
+    : config_(config),
+      seed_(seed),
+      workers_(workers),
+      meter_(std::make_shared<MemoryMeter>()),
+      motion_(config.motion),
+      drift_(config.loops),
+      waiting_(config.tracks() ? config.loops.waiting_scans : 0) {
   config.check();
-  if (config.proposal == Proposal::kScanMatched && config.tracker.used) tracker_.emplace(config.tracker, config.sweep);
-  if (keeps_levels(config.store.kind) && config.likelihood.model == ScanModel::kLikelihoodField) {
-    levels_ = lattice_model(config.log_odds, config.store.lattice_unit);
-  }
+  if (config.tracks()) tracker_.emplace(config.tracker, config.sweep);
   const MapStore empty(config.store, config.cell_size, config.map_frame(), meter_);
   const double bias_variance = config.compass.bias_sigma * config.compass.bias_sigma;
   particles_.assign(static_cast<std::size_t>(config.particles),
                     Particle{.T_map_base = config.start, .compass_bias = {0.0, bias_variance}, .map = empty});
-  for (int w = 0; w < workers.threads(); ++w) scratch_.push_back(std::make_unique<WorkerScratch>(config));
+  for (int w = 0; w < workers.threads(); ++w) map_workers_.push_back(std::make_unique<MapWorker>(config));
 }
 
 FastSlam::~FastSlam() = default;
@@ -55,8 +50,6 @@ void FastSlam::follow(const Reading& reading) {
     T_odom_base_ = T_odom_base_ * reading.motion.T_before_now;
     return;
   }
-  // The spread stays odometry's: each particle's map was made of the scans that the tracker matched, and its own
-  // certainty would count them twice. Loops then stay open more often (measured on the Intel log).
   tracker_->follow(reading);
   motion_.add(reading.motion);
   motion_.correct(tracker_->T_key_now());
@@ -66,9 +59,12 @@ void FastSlam::follow(const Reading& reading) {
 // Algorithms 1 and 3. The lines are those of Alg. 3; with the dense store, 5 and 8 copy plain cells (Alg. 1).
 void FastSlam::step(const Reading& reading) {
   sweep_ = sweep_of(reading, config_.sweep);
-  probes_ = scratch_[0]->likelihood.probes_of(sweep_);
+  probes_ = map_workers_[0]->likelihood().probes_of(sweep_);
+  waiting_.add(reading);
+  entering_ = waiting_.ripe() ? sweep_of(waiting_.oldest(), config_.sweep) : std::vector<Beam>{};
+  spread_motion();
   workers_.for_each(particles_.size(), [&](std::size_t p, int worker) {  // (3) for p = 1..n
-    advance(particles_[p], p, reading, *scratch_[static_cast<std::size_t>(worker)]);
+    advance(particles_[p], p, reading, *map_workers_[static_cast<std::size_t>(worker)]);
   });
   record_paths();
   // One after another: what is sealed is the same for any number of threads.
@@ -77,55 +73,70 @@ void FastSlam::step(const Reading& reading) {
   resample_if_due();  // (12)-(15)
 }
 
-void FastSlam::advance(Particle& particle, std::size_t slot, const Reading& reading, WorkerScratch& scratch) const {
+/// How far the motion since the last registered scan is trusted; with a tracker, as far as it drifts while nothing old
+/// is in sight, and farther where a loop closes.
+void FastSlam::spread_motion() {
+  if (!tracker_) {
+    spread_ = motion_.covariance();
+    return;
+  }
+  drift_.move(motion_.T_last_now());
+  drift_.look(old_map_in_sight());
+  spread_ = tracker_->spread() + drift_.released();
+}
+
+/// Asked of the best particle for all: their paths differ by less than sight reaches.
+bool FastSlam::old_map_in_sight() const {
+  const Pose2 now = best().T_map_base * motion_.T_last_now();
+  auto registered = static_cast<std::size_t>(statistics_.registered);
+  for (PathTree::Node node = best().node; node != PathTree::kRoot; node = paths_.ancestor(node, 1)) {
+    const Pose2& then = paths_.pose(node).T_map_base;
+    const bool near = std::hypot(then.x - now.x, then.y - now.y) < config_.loops.sight;
+    if (drift_.is_old(--registered) && near) return true;
+  }
+  return false;
+}
+
+void FastSlam::advance(Particle& particle, std::size_t slot, const Reading& reading, MapWorker& worker) const {
   const double before = particle.log_weight;
   Rng rng(
       {.seed = seed_, .purpose = Purpose::kMotionSample, .entity = static_cast<std::uint32_t>(slot), .tick = records_});
   if (config_.proposal == Proposal::kMotion) {
-    propose_by_motion(particle, rng, scratch);  // (4), (5), (6)
+    propose_by_motion(particle, rng, worker);  // (4), (5), (6)
   } else {
-    propose_by_match(particle, rng, scratch);
+    propose_by_match(particle, rng, worker);
   }
   if (reading.heading && config_.compass.used) {
     particle.log_weight +=
         compass_log_likelihood(*reading.heading, particle.T_map_base.theta, config_.compass, particle.compass_bias);
   }
   particle.path_log_weight += particle.log_weight - before;
-  // (7), (8): alpha - beta is added to the loaded window, and the store takes the changed cells back (eqs. 18, 22).
-  if (levels_) {
-    particle.map.commit_levels(scratch.updater.integrate(sweep_, particle.T_map_base, *levels_, scratch.map.levels),
-                               scratch.map);
-  } else {
-    particle.map.commit(scratch.updater.integrate(sweep_, particle.T_map_base, config_.log_odds, scratch.map.log_odds),
-                        scratch.map);
-  }
+  if (waiting_.ripe()) worker.write(particle.map, entering_, T_map_entering(particle));  // (7), (8)
 }
 
-/// (5): the map window that the sweep can touch from poses up to `margin_cells` away, in plain form.
+/// Where the scan that enters the map was taken, on this particle's path.
+Pose2 FastSlam::T_map_entering(const Particle& particle) const {
+  const auto back = static_cast<int>(waiting_.size());
+  if (back == 0) return particle.T_map_base;
+  return particle.T_map_was * paths_.pose(paths_.ancestor(particle.node, back - 1)).T_map_base;
+}
+
+/// (5): the window that the scan can touch from poses up to `margin_cells` away, and the scan that enters.
 void FastSlam::load_around(const Pose2& T_map_base, const Particle& particle, int margin_cells,
-                           WorkerScratch& scratch) const {
-  scratch.loaded = window_of(sweep_, T_map_base, config_.cell_size).grown(margin_cells);
-  if (levels_) {
-    particle.map.load_levels(scratch.loaded, scratch.map);
-  } else {
-    particle.map.load(scratch.loaded, scratch.map);
+                           MapWorker& worker) const {
+  CellWindow window = window_of(sweep_, T_map_base, config_.cell_size).grown(margin_cells);
+  if (waiting_.ripe() && waiting_.size() > 0) {
+    window = hull(window, window_of(entering_, T_map_entering(particle), config_.cell_size));
   }
+  worker.load(particle.map, window);
 }
 
-void FastSlam::look_at_loaded(WorkerScratch& scratch) const {
-  if (levels_) {
-    scratch.likelihood.look_at(scratch.map.levels, config_.store.lattice_unit);
-  } else {
-    scratch.likelihood.look_at(scratch.map.log_odds);
-  }
-}
-
-void FastSlam::propose_by_motion(Particle& particle, Rng& rng, WorkerScratch& scratch) const {
+void FastSlam::propose_by_motion(Particle& particle, Rng& rng, MapWorker& worker) const {
   const bool first = statistics_.registered == 0;  // the start pose is given: no noise, and no map to weigh against
   particle.T_map_base = first ? particle.T_map_base * motion_.T_last_now() : motion_.sample(particle.T_map_base, rng);
-  load_around(particle.T_map_base, particle, scratch.likelihood.margin_cells(), scratch);
-  look_at_loaded(scratch);
-  particle.log_weight += scratch.likelihood.log_likelihood(probes_, particle.T_map_base);  // (6), eq. (8)
+  load_around(particle.T_map_base, particle, worker.likelihood().margin_cells(), worker);
+  worker.look();
+  particle.log_weight += worker.likelihood().log_likelihood(probes_, particle.T_map_base);  // (6), eq. (8)
 }
 
 // Grisetti et al. 2007, sec. IV: the proposal uses the scan too, so few particles are wasted. The weight should be
@@ -133,35 +144,32 @@ void FastSlam::propose_by_motion(Particle& particle, Rng& rng, WorkerScratch& sc
 // from it: the match takes p(z | x)^sharpness, the weight the 1/sharpness power of the whole integral, motion prior and
 // volume included, because a scan is sharper evidence of where it lies in its map than of which of two maps is right.
 // It favours particles a little less than it should whose match agrees with odometry.
-void FastSlam::propose_by_match(Particle& particle, Rng& rng, WorkerScratch& scratch) const {
+void FastSlam::propose_by_match(Particle& particle, Rng& rng, MapWorker& worker) const {
   const Pose2 predicted = particle.T_map_base * motion_.T_last_now();
-  const Eigen::Matrix3d covariance = motion_.covariance();
   if (statistics_.registered == 0) {
     particle.T_map_base = predicted;
-    load_around(predicted, particle, 0, scratch);
+    load_around(predicted, particle, 0, worker);
     return;
   }
-  load_around(predicted, particle, scratch.likelihood.margin_cells() + search_margin_cells(covariance), scratch);
-  look_at_loaded(scratch);
+  load_around(predicted, particle, worker.likelihood().margin_cells() + search_margin_cells(), worker);
+  worker.look();
   const double sharpness = config_.matcher.sharpness;
   const PoseScore score{
-      [&](const Pose2& pose) { return sharpness * scratch.likelihood.field_log_likelihood(probes_, pose); },
-      [&](const Pose2& pose) { return sharpness * scratch.likelihood.field_fit(probes_, pose); }};
-  const ScanMatch match = match_scan(score, predicted, covariance, config_.matcher);
+      [&](const Pose2& pose) { return sharpness * worker.likelihood().field_log_likelihood(probes_, pose); },
+      [&](const Pose2& pose) { return sharpness * worker.likelihood().field_fit(probes_, pose); }};
+  const ScanMatch match = match_scan(score, predicted, spread_, config_.matcher);
   particle.T_map_base = sample_pose(match.T_map_base, match.covariance, rng);
   const double log_evidence =
-      match.log_posterior + 0.5 * std::log(match.covariance.determinant() / covariance.determinant());
+      match.log_posterior + 0.5 * std::log(match.covariance.determinant() / spread_.determinant());
   particle.log_weight += log_evidence / sharpness;
-  if (!scratch.loaded.contains(window_of(sweep_, particle.T_map_base, config_.cell_size))) {
-    load_around(particle.T_map_base, particle, 0, scratch);  // a rare draw from far out
-  }
+  particle.T_map_was = drift_.closes_loop() ? particle.T_map_base * predicted.inverse() : Pose2{};
 }
 
 /// How far end points move when the search, and the draw after it, go to their limits.
-int FastSlam::search_margin_cells(const Eigen::Matrix3d& covariance) const {
+int FastSlam::search_margin_cells() const {
   double longest = 0.0;
   for (const Beam& beam : sweep_) longest = std::max(longest, beam.end.norm());
-  const Eigen::Vector3d sigma = covariance.diagonal().cwiseSqrt();
+  const Eigen::Vector3d sigma = spread_.diagonal().cwiseSqrt();
   const double sigmas = config_.matcher.window_sigmas + 1.0;
   const double shift = sigmas * (sigma.head<2>().norm() + longest * sigma.z());
   return static_cast<int>(std::ceil(shift / config_.cell_size)) + 1;
@@ -169,6 +177,9 @@ int FastSlam::search_margin_cells(const Eigen::Matrix3d& covariance) const {
 
 void FastSlam::record_paths() {
   for (Particle& particle : particles_) {
+    if (drift_.closes_loop()) {  // what waits was tracked from here, and moves along
+      particle.node = paths_.moved(particle.node, static_cast<int>(waiting_.size()), particle.T_map_was);
+    }
     const PathTree::Node leaf = paths_.append(particle.node, {records_, particle.T_map_base});
     paths_.release(particle.node);
     particle.node = leaf;
@@ -207,7 +218,7 @@ void FastSlam::resample_if_due() {
 
 void FastSlam::account() {
   const auto n = static_cast<double>(particles_.size());
-  const double fixed = static_cast<double>(paths_.bytes()) + n * sizeof(Particle);
+  const double fixed = static_cast<double>(paths_.bytes() + waiting_.bytes() + drift_.bytes()) + n * sizeof(Particle);
   const double payload = static_cast<double>(meter_->payload()) / n;
   const double all_in = (static_cast<double>(meter_->total()) + fixed) / n;
   const auto count = static_cast<double>(++statistics_.registered);
@@ -223,9 +234,16 @@ Pose2 FastSlam::T_map_base() const { return best().T_map_base * motion_.T_last_n
 std::vector<RegisteredPose> FastSlam::best_path() const { return paths_.path_to(best().node); }
 
 Grid<float> FastSlam::best_map() const {
+  MapStore map = best().map;  // shares all that the waiting scans do not touch
+  MapWorker worker(config_);
+  const std::vector<RegisteredPose> path = best_path();
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    const Pose2& T_map_base = path[path.size() - waiting_.size() + i].T_map_base;
+    worker.write(map, sweep_of(waiting_[i], config_.sweep), T_map_base);
+  }
   MapScratch scratch;
   const auto area = config_.map_frame();
-  best().map.load(area ? window_of(*area) : best().map.extent(), scratch);
+  map.load(area ? window_of(*area) : map.extent(), scratch);
   return scratch.log_odds;
 }
 

@@ -5,9 +5,11 @@
 
 #include "core/parallel.hpp"
 #include "slam/filter_statistics.hpp"
-#include "slam/map/inverse_sensor_model.hpp"
+#include "slam/loop_drift.hpp"
+#include "slam/map_worker.hpp"
 #include "slam/particle.hpp"
 #include "slam/slam_config.hpp"
+#include "slam/waiting_scans.hpp"
 
 namespace cogslam {
 
@@ -31,23 +33,23 @@ class FastSlam {
   [[nodiscard]] Pose2 T_odom_base() const { return T_odom_base_; }
   /// The registered poses of the best particle's whole path, oldest first.
   [[nodiscard]] std::vector<RegisteredPose> best_path() const;
-  /// The best particle's map: log-odds over the stated area, or over all it has seen.
+  /// The best particle's map, with the scans that still wait: log-odds over the stated area, or over all it has seen.
   [[nodiscard]] Grid<float> best_map() const;
   [[nodiscard]] FilterStatistics statistics() const;
   /// Names the belief (poses, weights, compass biases, maps), to compare runs.
   [[nodiscard]] std::uint64_t state_hash() const;
 
  private:
-  struct WorkerScratch;
-
   void follow(const Reading& reading);
   void step(const Reading& reading);
-  void advance(Particle& particle, std::size_t slot, const Reading& reading, WorkerScratch& scratch) const;
-  void propose_by_motion(Particle& particle, Rng& rng, WorkerScratch& scratch) const;
-  void propose_by_match(Particle& particle, Rng& rng, WorkerScratch& scratch) const;
-  void load_around(const Pose2& T_map_base, const Particle& particle, int margin_cells, WorkerScratch& scratch) const;
-  void look_at_loaded(WorkerScratch& scratch) const;
-  [[nodiscard]] int search_margin_cells(const Eigen::Matrix3d& covariance) const;
+  void spread_motion();
+  [[nodiscard]] bool old_map_in_sight() const;
+  void advance(Particle& particle, std::size_t slot, const Reading& reading, MapWorker& worker) const;
+  void propose_by_motion(Particle& particle, Rng& rng, MapWorker& worker) const;
+  void propose_by_match(Particle& particle, Rng& rng, MapWorker& worker) const;
+  void load_around(const Pose2& T_map_base, const Particle& particle, int margin_cells, MapWorker& worker) const;
+  [[nodiscard]] int search_margin_cells() const;
+  [[nodiscard]] Pose2 T_map_entering(const Particle& particle) const;
   void record_paths();
   void choose_best();
   void resample_if_due();
@@ -58,11 +60,12 @@ class FastSlam {
   std::uint32_t seed_;
   Workers& workers_;
   std::shared_ptr<MemoryMeter> meter_;
-  std::optional<LatticeModel> levels_;  ///< where the maps are worked on in levels
   std::vector<Particle> particles_;
   PathTree paths_;
   MotionModel motion_;
   std::optional<ScanTracker> tracker_;
+  LoopDrift drift_;
+  WaitingScans waiting_;  ///< none without a tracker
   Pose2 T_odom_base_;
   std::size_t records_ = 0;  ///< readings taken
   FilterStatistics statistics_{};
@@ -71,7 +74,9 @@ class FastSlam {
   // Of the scan being registered, the same for all particles.
   std::vector<Beam> sweep_;
   std::vector<Beam> probes_;
-  std::vector<std::unique_ptr<WorkerScratch>> scratch_;  ///< one per worker
+  std::vector<Beam> entering_;  ///< the scan that enters the maps: the oldest that waited, if one is due
+  Eigen::Matrix3d spread_ = Eigen::Matrix3d::Zero();     ///< of motion since the last registered scan
+  std::vector<std::unique_ptr<MapWorker>> map_workers_;  ///< one per thread
 };
 
 }  // namespace cogslam

@@ -13,6 +13,7 @@ struct Particle {
   double log_weight = 0.0;       ///< since the last resampling
   double path_log_weight = 0.0;  ///< since the start, along its path
   PathTree::Node node = PathTree::kRoot;
+  Pose2 T_map_was{};  ///< where a closed loop moved the scans that wait: identity but for that moment
   CompassBias compass_bias{};
   MapStore map;  ///< shared with other particles until one of them writes
 };

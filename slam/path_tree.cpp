@@ -35,6 +35,23 @@ void PathTree::release(Node node) {
   }
 }
 
+PathTree::Node PathTree::moved(Node leaf, int steps, const Pose2& T) {
+  std::vector<RegisteredPose> last;
+  Node node = leaf;
+  for (; node != kRoot && steps > 0; --steps) {
+    last.push_back(pose(node));
+    node = ancestor(node, 1);
+  }
+  hold(node);
+  for (; !last.empty(); last.pop_back()) {
+    const Node next = append(node, {last.back().record, T * last.back().T_map_base});
+    release(node);
+    node = next;
+  }
+  release(leaf);
+  return node;
+}
+
 std::vector<RegisteredPose> PathTree::path_to(Node node) const {
   std::vector<RegisteredPose> path;
   for (; node != kRoot; node = entries_[static_cast<std::size_t>(node)].parent) {

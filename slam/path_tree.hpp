@@ -19,9 +19,14 @@ class PathTree {
   Node append(Node parent, const RegisteredPose& pose);
   void hold(Node node);
   void release(Node node);
+  /// The path of `leaf` with its last `steps` poses moved, T * pose, as a new leaf that takes over the caller's hold.
+  /// A shorter path is moved as a whole. Paths that share those poses keep theirs.
+  [[nodiscard]] Node moved(Node leaf, int steps, const Pose2& T);
 
   /// The path that ends in `node`, oldest pose first.
   [[nodiscard]] std::vector<RegisteredPose> path_to(Node node) const;
+  /// Of a node that is not kRoot.
+  [[nodiscard]] const RegisteredPose& pose(Node node) const { return entries_[static_cast<std::size_t>(node)].pose; }
   /// The node `steps` poses before, or kRoot where the path is shorter.
   [[nodiscard]] Node ancestor(Node node, int steps) const;
   /// Bytes held, nodes to be used again and spare room included.

@@ -85,10 +85,22 @@ void read_tracker(ConfigSection section, TrackerConfig& tracker) {
   section.read("inflation", tracker.inflation, {1e-3, 1e3});
   section.read("least_sigma_m", tracker.least_sigma_position, kPositive);
   section.read_degrees("least_sigma_deg", tracker.least_sigma_heading, kPositive);
+  section.read("spread", tracker.spread, {1e-3, 1e3});
+  section.read("spread_m", tracker.spread_position, {1e-6, 10.0});
+  section.read_degrees("spread_deg", tracker.spread_heading, {1e-5, 180.0});
   section.read("first_reach_m", tracker.match.first_reach, kPositive);
   section.read("last_reach_m", tracker.match.last_reach, kPositive);
   section.read("sigma_m", tracker.match.sigma, kPositive);
   section.read("point_share", tracker.match.point_share, {1e-6, 1.0});
+}
+
+void read_loops(ConfigSection section, LoopConfig& loops) {
+  section.read("waiting_scans", loops.waiting_scans, {0, 1000});
+  section.read("drift_m", loops.drift_position, {0.0, 10.0});
+  section.read_degrees("drift_deg", loops.drift_heading, {0.0, 180.0});
+  section.read("known_share", loops.known_share, {0.0, 1.0});
+  section.read("sight_m", loops.sight, kPositive);
+  section.read("least_way_m", loops.least_way, kPositive);
 }
 
 /// The place of a value that is off the lattice, where the file states it here; SlamConfig::check finds the others.
@@ -170,6 +182,7 @@ void read_slam_config(ConfigSection& section, SlamConfig& config) {
   ConfigSection registration = section.section("registration");
   registration.read("distance_m", config.registration.distance, kPositive);
   registration.read_degrees("turn_deg", config.registration.turn, kPositive);
+  read_loops(section.section("loops"), config.loops);
   read_likelihood(section.section("likelihood"), config.likelihood);
   read_matcher(section.section("matcher"), config.matcher);
   read_compass(section.section("compass"), config.compass);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/config.hpp"
+#include "slam/loop_drift.hpp"
 #include "slam/map/log_odds.hpp"
 #include "slam/map/store.hpp"
 #include "slam/match/scan_matcher.hpp"
@@ -39,6 +40,7 @@ struct SlamConfig {
   TrackerConfig tracker{};
   MotionModelConfig motion{};
   RegistrationConfig registration{};
+  LoopConfig loops{};  ///< with a tracker only
   ScanLikelihoodConfig likelihood{};
   ScanMatcherConfig matcher{};
   CompassModel compass{};
@@ -46,6 +48,8 @@ struct SlamConfig {
 
   /// The lattice frame of `area`, or nothing.
   [[nodiscard]] std::optional<GridFrame> map_frame() const;
+  /// Whether every scan is tracked: the paper's own proposal has no tracker.
+  [[nodiscard]] bool tracks() const { return proposal == Proposal::kScanMatched && tracker.used; }
   /// Throws InputError when the parts contradict each other.
   void check() const;
 };

@@ -41,6 +41,15 @@ inline CellWindow intersection(const CellWindow& a, const CellWindow& b) {
           {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y)}};
 }
 
+/// The smallest window that holds both.
+inline CellWindow hull(CellWindow a, const CellWindow& b) {
+  if (!b.empty()) {
+    a.include(b.min);
+    a.include(b.max);
+  }
+  return a;
+}
+
 /// All cells of a frame, as lattice cells.
 inline CellWindow window_of(const GridFrame& frame) {
   return {frame.lattice_min, {frame.lattice_min.x + frame.width - 1, frame.lattice_min.y + frame.height - 1}};

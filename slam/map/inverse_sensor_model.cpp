@@ -28,17 +28,18 @@ Cell cell_at(const Eigen::Vector2d& p) {
 
 }  // namespace
 
-void MapUpdater::touch(Cell lattice_cell, const GridFrame& frame, bool hit, bool overwrite) {
+// In line: called for every cell of every beam.
+inline void MapUpdater::touch(Cell lattice_cell, const GridFrame& frame, bool hit, bool overwrite) {
   const Cell c{lattice_cell.x - frame.lattice_min.x, lattice_cell.y - frame.lattice_min.y};
   if (!frame.contains(c)) return;
   const auto index = static_cast<std::uint32_t>(frame.index(c));
   std::uint32_t& mark = marks_[index];
-  if (mark / 2 != round_) {
-    touched_.push_back(index);
-  } else if (!overwrite) {
+  if (mark >= 2 * round_) {  // marked in this round: no later round has been
+    if (overwrite) mark = 2 * round_ + (hit ? 1U : 0U);
     return;
   }
   mark = 2 * round_ + (hit ? 1U : 0U);
+  touched_.push_back(index);
 }
 
 void MapUpdater::mark(const std::vector<Beam>& sweep, const Pose2& T_map_base, CellRule rule, const GridFrame& frame) {

@@ -12,7 +12,8 @@ namespace {
 constexpr double kLever = 4.0;  // metres: a turn is worth what it moves a point this far away
 constexpr int kClimbLimit = 20;
 constexpr int kLastSteps = 2;
-constexpr double kStill = 1e-4;  // metres: a shorter step is an arrival
+constexpr double kShort = 2e-3;  // metres: a last step that leads nowhere new
+constexpr double kStill = 1e-3;  // metres: a shorter step is an arrival; the last steps go on from there
 
 /// The posterior over small motions away from the prediction.
 class Posterior {
@@ -102,29 +103,22 @@ bool climb(Posterior& posterior, Place& place) {
   return false;
 }
 
-/// Slope and curvature by differences over a step that bridges the cells: the field's own have creases, and none of it
-/// inside a large cell.
+/// Slope and curvature by differences of values and slopes over a step that bridges the cells: the field's own have
+/// creases, and none of it inside a large cell.
 PoseFit fit_across_cells(Posterior& posterior, const Place& place, double step) {
   const Eigen::Vector3d h(step, step, step / kLever);
-  const auto value = [&](int a, double da, int b, double db) {
-    Eigen::Vector3d at = place.v;
-    at[a] += da * h[a];
-    at[b] += db * h[b];
-    return posterior(at);
-  };
   PoseFit fit{.value = place.value};
   Eigen::Matrix3d curvature;
   for (int a = 0; a < 3; ++a) {
-    const double after = value(a, 1, a, 0), before = value(a, -1, a, 0);
-    fit.gradient[a] = (after - before) / (2.0 * h[a]);
-    curvature(a, a) = (after - 2.0 * place.value + before) / (h[a] * h[a]);
-    for (int b = 0; b < a; ++b) {
-      curvature(a, b) = curvature(b, a) =
-          (value(a, 1, b, 1) - value(a, 1, b, -1) - value(a, -1, b, 1) + value(a, -1, b, -1)) / (4.0 * h[a] * h[b]);
-    }
+    const Eigen::Vector3d away = h[a] * Eigen::Vector3d::Unit(a);
+    const Place after = place_at(posterior, place.v + away), before = place_at(posterior, place.v - away);
+    fit.gradient[a] = (after.value - before.value) / (2.0 * h[a]);
+    curvature.col(a) = (after.gradient - before.gradient) / (2.0 * h[a]);
+    curvature(a, a) = (after.value - 2.0 * place.value + before.value) / (h[a] * h[a]);
   }
   // The motion's part is known; what the scan adds must not take away from it.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(-curvature - posterior.information());
+  const Eigen::Matrix3d scan = -0.5 * (curvature + curvature.transpose()) - posterior.information();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scan);
   const Eigen::Vector3d positive = solver.eigenvalues().cwiseMax(0.0);
   fit.information =
       posterior.information() + solver.eigenvectors() * positive.asDiagonal() * solver.eigenvectors().transpose();
@@ -143,8 +137,10 @@ ScanMatch match_scan(const PoseScore& score, const Pose2& predicted, const Eigen
   for (int step = 0; step < kLastSteps; ++step) {
     const PoseFit fit = fit_across_cells(posterior, place, config.coarse_step / 4.0);
     const Eigen::Vector3d last = fit.information.ldlt().solve(fit.gradient);
-    if (last.cwiseProduct(Eigen::Vector3d(1.0, 1.0, kLever)).norm() > config.coarse_step / 2.0) break;
+    const double length = last.cwiseProduct(Eigen::Vector3d(1.0, 1.0, kLever)).norm();
+    if (length > config.coarse_step / 2.0) break;
     place = place_at(posterior, place.v + last);
+    if (length < kShort) break;
   }
   return {.T_map_base = posterior.pose(place.v),
           .log_posterior = place.value,

@@ -137,4 +137,11 @@ Eigen::Matrix3d ScanTracker::covariance() const {
   return compose_covariance(scan_covariance_, T_scan_now_, config_.inflation * config_.inflation * since_scan_);
 }
 
+Eigen::Matrix3d ScanTracker::spread() const {
+  const double position = config_.spread_position, heading = config_.spread_heading;
+  Eigen::Matrix3d spread = config_.spread * config_.spread * covariance();
+  spread.diagonal() += Eigen::Vector3d(position * position, position * position, heading * heading);
+  return spread;
+}
+
 }  // namespace cogslam

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 
 #include "slam/sweep.hpp"
@@ -18,6 +19,9 @@ struct TrackerConfig {
   double inflation = 3.0;              ///< odometry's standard deviations times this
   double least_sigma_position = 0.03;  ///< per scan, however sure odometry is [m]
   double least_sigma_heading = 0.005;  ///< [rad]
+  double spread = 0.5;                 ///< of motion: the match's standard deviations times this
+  double spread_position = 0.002;      ///< and so much more [m]
+  double spread_heading = 0.05 * std::numbers::pi / 180.0;  ///< [rad]
   PointToLineConfig match{};
 
   /// Throws InputError when the parts contradict each other.
@@ -40,6 +44,9 @@ class ScanTracker {
   /// Motion since the last key scan, and its covariance: of the match at the last scan, joined with odometry's since.
   [[nodiscard]] Pose2 T_key_now() const { return T_track_key_.inverse() * T_track_base(); }
   [[nodiscard]] Eigen::Matrix3d covariance() const;
+  /// What a particle's motion is drawn with: the same times `spread`, and the least of it. Less than the covariance,
+  /// because tracking errs the same way at every scan that sees the same walls.
+  [[nodiscard]] Eigen::Matrix3d spread() const;
 
   [[nodiscard]] std::int64_t bytes() const { return map_.bytes(); }
 

@@ -9,6 +9,28 @@
 namespace cogslam {
 namespace {
 
+/// A sum of logarithms, taken of products: a logarithm per beam would cost more than the field.
+class LogSum {
+ public:
+  void add(double density) {
+    product_ *= density;
+    if (product_ < kSmall) flush();
+  }
+  [[nodiscard]] double value() {
+    flush();
+    return sum_;
+  }
+
+ private:
+  static constexpr double kSmall = 1e-200;  // densities lie above 1e-5, so products cannot vanish before
+  void flush() {
+    sum_ += std::log(product_);
+    product_ = 1.0;
+  }
+  double product_ = 1.0;
+  double sum_ = 0.0;
+};
+
 constexpr double kFlat = 1e-3;  // per metre: a gentler relative slope has no direction
 
 }  // namespace
@@ -48,21 +70,21 @@ double ScanLikelihood::log_likelihood(const std::vector<Beam>& probes, const Pos
 double ScanLikelihood::field_log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const {
   if (probes.empty()) return 0.0;
   const double c = std::cos(T_map_base.theta), s = std::sin(T_map_base.theta);
-  const auto hit = static_cast<float>(config_.hit_share), random = 1.0F - hit;
-  const auto unknown = static_cast<float>(config_.unknown_value);
-  double sum = 0.0;
+  const double hit = config_.hit_share, random = 1.0 - hit, unknown = config_.unknown_value;
+  LogSum sum;
   for (const Beam& beam : probes) {
     const double x = T_map_base.x + c * beam.end.x() - s * beam.end.y();
     const double y = T_map_base.y + s * beam.end.x() + c * beam.end.y();
-    float value = field_.at(x, y);
+    double value = field_.at(x, y);
     if (value < unknown && field_.unknown_at(x, y)) value = unknown;
-    sum += std::log(hit * value + random);
+    sum.add(hit * value + random);
   }
-  return config_.effective_beams * sum / static_cast<double>(probes.size());
+  return config_.effective_beams * sum.value() / static_cast<double>(probes.size());
 }
 
 PoseFit ScanLikelihood::field_fit(const std::vector<Beam>& probes, const Pose2& T_map_base) const {
   PoseFit fit;
+  LogSum sum;
   if (probes.empty()) return fit;
   const double c = std::cos(T_map_base.theta), s = std::sin(T_map_base.theta);
   const double hit = config_.hit_share, random = 1.0 - hit, unknown = config_.unknown_value;
@@ -72,11 +94,11 @@ PoseFit ScanLikelihood::field_fit(const std::vector<Beam>& probes, const Pose2& 
     const double x = T_map_base.x + c * ex - s * ey, y = T_map_base.y + s * ex + c * ey;
     const LikelihoodField::Slope field = field_.slope_at(x, y);
     if (field.value < unknown && field_.unknown_at(x, y)) {
-      fit.value += std::log(hit * unknown + random);
+      sum.add(hit * unknown + random);
       continue;
     }
     const double density = hit * field.value + random;
-    fit.value += std::log(density);
+    sum.add(density);
     const Eigen::Vector2d slope(c * field.dx + s * field.dy, c * field.dy - s * field.dx);  // seen from the base
     const double steepness = slope.norm();
     if (!(steepness > kFlat * field.value)) continue;
@@ -86,7 +108,7 @@ PoseFit ScanLikelihood::field_fit(const std::vector<Beam>& probes, const Pose2& 
     fit.information += hit * field.value / density * per_variance * across * across.transpose();
   }
   const double share = config_.effective_beams / static_cast<double>(probes.size());
-  fit.value *= share;
+  fit.value = share * sum.value();
   fit.gradient *= share;
   fit.information *= share;
   return fit;

@@ -22,6 +22,7 @@ SlamConfig config_for(const SyntheticLog& log, const std::string& store) {
   config.start = log.truth.front();
   config.likelihood.beams = 30;
   config.registration.distance = 1e-6;  // every scan changes the map
+  config.loops.waiting_scans = 0;       // at once
   return config;
 }
 

@@ -80,7 +80,7 @@ std::vector<std::pair<std::string, SlamConfig>> variants_for(const SyntheticLog&
 }
 
 TEST(FastSlam, GivesTheSameStateForAnyNumberOfThreadsAndInEachRun) {
-  const SyntheticLog log = drive_round(25, 3, 60);
+  const SyntheticLog log = drive_round(40, 3, 60);
   for (const auto& [name, config] : variants_for(log)) {
     const Outcome one = run(config, log, 1, 1);
     for (const int threads : {1, 2, 4}) {
@@ -255,7 +255,9 @@ TEST(FastSlam, DropsPathsThatNoParticleFollows) {
 
 TEST(FastSlam, SharesMapsBetweenParticles) {
   const SyntheticLog log = drive_round(30, 11, 60);
-  const FilterStatistics statistics = run(config_for(log), log).statistics;
+  SlamConfig config = config_for(log);
+  config.loops.waiting_scans = 3;
+  const FilterStatistics statistics = run(config, log).statistics;
   const double whole = 4.0 * static_cast<double>(config_for(log).map_frame()->size());
   EXPECT_GT(statistics.payload_bytes, 0.0);
   EXPECT_LT(statistics.payload_bytes, whole);

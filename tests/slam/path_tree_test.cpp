@@ -87,6 +87,33 @@ TEST(PathTree, SharesThePast) {
   EXPECT_EQ(tree.alive(), 0);
 }
 
+TEST(PathTree, MovesTheLastPosesOfOnePathOnly) {
+  for (const int steps : {0, 1, 3, 4, 9}) {
+    PathTree tree;
+    PathTree::Node leaf = PathTree::kRoot;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const PathTree::Node next = tree.append(leaf, pose_of(i));
+      tree.release(leaf);
+      leaf = next;
+    }
+    tree.hold(leaf);  // another particle's
+    const Pose2 T{10.0, 1.0, 0.5};
+    const PathTree::Node moved = tree.moved(leaf, steps, T);
+    const std::vector<RegisteredPose> path = tree.path_to(moved);
+    ASSERT_EQ(path.size(), 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Pose2 old = pose_of(i).T_map_base;
+      EXPECT_EQ(path[i].T_map_base, static_cast<int>(4 - i) <= steps ? T * old : old) << i << " of " << steps;
+      EXPECT_EQ(path[i].record, i);
+    }
+    EXPECT_EQ(records_of(tree.path_to(leaf)).size(), 4);  // the other's stays
+    EXPECT_EQ(tree.alive(), 4 + std::min(steps, 4));
+    tree.release(leaf);
+    tree.release(moved);
+    EXPECT_EQ(tree.alive(), 0);
+  }
+}
+
 TEST(PathTree, KnowsTheEmptyPath) {
   PathTree tree;
   tree.hold(PathTree::kRoot);

@@ -1,0 +1,86 @@
+#include <gmock/gmock.h>
+
+#include "slam/fast_slam.hpp"
+#include "tests/support/synthetic_log.hpp"
+
+// Scans that wait, and the maps without them.
+
+namespace cogslam {
+namespace {
+
+SlamConfig config_for(const SyntheticLog& log) {
+  SlamConfig config;
+  config.particles = 4;
+  config.cell_size = 0.1;
+  config.area = Rectangle{{-3.5, -2.5}, {3.5, 2.5}};
+  config.start = log.truth.front();
+  config.likelihood.beams = 60;
+  return config;
+}
+
+/// What the path says the map is: every registered scan written at its pose.
+Grid<float> map_of(const std::vector<RegisteredPose>& path, const SyntheticLog& log, const SlamConfig& config) {
+  Grid<float> map(*config.map_frame());
+  MapUpdater updater;
+  for (const RegisteredPose& pose : path) {
+    updater.integrate(sweep_of(log.readings[pose.record], config.sweep), pose.T_map_base, config.log_odds, map);
+  }
+  return map;
+}
+
+TEST(FastSlam, ReportsAMapThatHoldsTheScansWhichStillWait) {
+  const SyntheticLog log = drive_round(90, 21);
+  for (const int waiting : {0, 1, 5, 1000}) {
+    SlamConfig config = config_for(log);
+    config.loops.waiting_scans = waiting;
+    Workers workers(2);
+    FastSlam filter(config, 1, workers);
+    for (const Reading& reading : log.readings) filter.update(reading);
+    ASSERT_GT(filter.statistics().registered, 20);
+    EXPECT_EQ(filter.best_map(), map_of(filter.best_path(), log, config)) << waiting << " scans wait";
+  }
+}
+
+TEST(FastSlam, KeepsScansThatWaitOutOfTheMaps) {
+  const SyntheticLog log = drive_round(60, 22);
+  SlamConfig config = config_for(log);
+  config.loops.waiting_scans = 1000;
+  Workers workers(2);
+  FastSlam filter(config, 1, workers);
+  for (const Reading& reading : log.readings) filter.update(reading);
+  EXPECT_EQ(filter.statistics().payload_bytes, 0.0);
+  EXPECT_EQ(filter.statistics().resamplings, 0);  // nothing to weigh against
+}
+
+/// Where a loop closes, the scans that wait move along: their poses on the path stay as tracking tied them.
+TEST(FastSlam, MovesWaitingScansWithAClosedLoop) {
+  const SyntheticLog log = drive_round(140, 23);
+  SlamConfig config = config_for(log);
+  config.particles = 1;
+  config.registration.distance = 0.15;
+  config.loops = {.waiting_scans = 4, .drift_position = 0.5, .drift_heading = 0.3, .least_way = 3.0};
+  Workers workers(1);
+  FastSlam filter(config, 1, workers);
+  int moved = 0;
+  std::vector<RegisteredPose> before;
+  for (const Reading& reading : log.readings) {
+    if (!filter.update(reading)) continue;
+    const std::vector<RegisteredPose> path = filter.best_path();
+    if (before.size() > 4 && path[path.size() - 2].T_map_base != before.back().T_map_base) {
+      ++moved;
+      const std::size_t n = before.size();
+      const Pose2 T = path[n - 1].T_map_base * before[n - 1].T_map_base.inverse();
+      for (std::size_t i = 0; i < n; ++i) {
+        const Pose2 expected = i + 4 < n ? before[i].T_map_base : T * before[i].T_map_base;
+        EXPECT_NEAR((path[i].T_map_base.position() - expected.position()).norm(), 0.0, 1e-9) << i << " of " << n;
+        EXPECT_EQ(path[i].record, before[i].record);
+      }
+    }
+    before = path;
+  }
+  EXPECT_GT(moved, 0);
+  EXPECT_EQ(filter.best_map(), map_of(filter.best_path(), log, config));
+}
+
+}  // namespace
+}  // namespace cogslam
