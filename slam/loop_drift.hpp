@@ -11,7 +11,7 @@ namespace cogslam {
 
 /// When a loop closes, and how far tracking may have drifted since the filter last knew its place.
 struct LoopConfig {
-  int waiting_scans = 15;                                 ///< registered scans that wait before they enter the maps
+  int waiting_scans = 20;                                 ///< registered scans that wait before they enter the maps
   double drift_position = 0.02;                           ///< of tracking after 1 m of travel [m]; grows with its root
   double drift_heading = 0.2 * std::numbers::pi / 180.0;  ///< [rad]
   double known_share = 0.4;  ///< of the drift's variance, while the old map is in sight; in [0, 1]

@@ -11,9 +11,7 @@ namespace {
 
 constexpr double kLever = 4.0;  // metres: a turn is worth what it moves a point this far away
 constexpr int kClimbLimit = 20;
-constexpr int kLastSteps = 2;
-constexpr double kShort = 2e-3;  // metres: a last step that leads nowhere new
-constexpr double kStill = 1e-3;  // metres: a shorter step is an arrival; the last steps go on from there
+constexpr double kStill = 1e-3;  // metres: a shorter step is an arrival; the last step goes on from there
 
 /// The posterior over small motions away from the prediction.
 class Posterior {
@@ -132,16 +130,12 @@ ScanMatch match_scan(const PoseScore& score, const Pose2& predicted, const Eigen
   Posterior posterior(score, predicted, covariance);
   Place place = place_at(posterior, search_coarse(posterior, covariance, config).v);
   const bool converged = climb(posterior, place);
-  // The field has bumps of the size of its cells, and their tops lie up to 2 cm off the pose. The last steps look
-  // across them, and are taken whether or not they lead up a bump.
-  for (int step = 0; step < kLastSteps; ++step) {
-    const PoseFit fit = fit_across_cells(posterior, place, config.coarse_step / 4.0);
-    const Eigen::Vector3d last = fit.information.ldlt().solve(fit.gradient);
-    const double length = last.cwiseProduct(Eigen::Vector3d(1.0, 1.0, kLever)).norm();
-    if (length > config.coarse_step / 2.0) break;
-    place = place_at(posterior, place.v + last);
-    if (length < kShort) break;
-  }
+  // The field has bumps of the size of its cells, and their tops lie up to 2 cm off the pose. The last step looks
+  // across them, and is taken whether or not it leads up a bump.
+  const PoseFit fit = fit_across_cells(posterior, place, config.coarse_step / 4.0);
+  const Eigen::Vector3d last = fit.information.ldlt().solve(fit.gradient);
+  const bool near = last.cwiseProduct(Eigen::Vector3d(1.0, 1.0, kLever)).norm() <= config.coarse_step / 2.0;
+  if (near) place = place_at(posterior, place.v + last);
   return {.T_map_base = posterior.pose(place.v),
           .log_posterior = place.value,
           .covariance = fit_across_cells(posterior, place, config.coarse_step / 2.0).information.inverse(),

@@ -31,7 +31,7 @@ struct PoseScore {
 };
 
 /// Maximises score(x) + log N(x; predicted, covariance): a coarse grid search over the motion's spread, then Newton's
-/// method on the score's own fit, and on differences over a quarter of a coarse step. The covariance joins the
+/// method on the score's own fit, and one step by differences over a quarter of a coarse step. The covariance joins the
 /// curvature of the score at the mode with the motion's information, so a direction that the scan does not see (along a
 /// corridor) keeps the motion's spread.
 ScanMatch match_scan(const PoseScore& score, const Pose2& predicted, const Eigen::Matrix3d& covariance,

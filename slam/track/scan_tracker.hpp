@@ -21,7 +21,7 @@ struct TrackerConfig {
   double least_sigma_heading = 0.005;  ///< [rad]
   double spread = 0.5;                 ///< of motion: the match's standard deviations times this
   double spread_position = 0.002;      ///< and so much more [m]
-  double spread_heading = 0.05 * std::numbers::pi / 180.0;  ///< [rad]
+  double spread_heading = 0.08 * std::numbers::pi / 180.0;  ///< [rad]
   PointToLineConfig match{};
 
   /// Throws InputError when the parts contradict each other.
