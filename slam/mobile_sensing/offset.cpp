@@ -5,7 +5,7 @@
 
 #include "core/check.hpp"
 #include "core/error.hpp"
-#include "slam/mobile_sensing/offset_level.hpp"
+#include "slam/mobile_sensing/offset_equations.hpp"
 
 namespace cogslam {
 namespace {
@@ -18,22 +18,6 @@ constexpr double kLeastGradient = 1e-8;  // an eigenvalue below is rounding [1/c
 constexpr double kLargestJump = 0.1;     // of the minimum between two sides of a place where steps turn back [cells]
 
 constexpr double kFarthest = 3.0;  // sigmas of the prior; farther lies another wall of the same look
-
-/// Sums over the overlap. Steps are x, y [cells] and a turn about `centre`, in the frame of the second map, its turn
-/// multiplied by `radius` so that all three are in cells.
-struct NormalEquations {
-  Matrix3d gradients = Matrix3d::Zero();  ///< of eq. 10: sum of w J' J
-  Vector3d right = Vector3d::Zero();      ///< sum of w J' r
-  double squares = 0.0;                   ///< sum of w r^2
-  double weight = 0.0;
-};
-
-/// Where the maps overlap, as seen from the second.
-struct Overlap {
-  Vector2d centre = Vector2d::Zero();
-  double radius = 1.0;  ///< root mean square distance from the centre [cells]
-  double weight = 0.0;
-};
 
 /// Poses in cells, between cell centres of the two grids rather than between the bases.
 class Grids {
@@ -58,87 +42,33 @@ class Grids {
 
 class Registration {
  public:
-  Registration(const PartialMap& first, const PartialMap& second, const OffsetConfig& config)
-      : config_(config), frame_(second.occupancy.frame()) {
-    for (const double sigma : config.blur_cells) levels_.push_back({{first, sigma}, {second, sigma}});
+  Registration(const PartialMap& first, const PartialMap& second, const OffsetConfig& config) : config_(config) {
+    for (const double sigma : config.blur_cells) passes_.push_back({{first, sigma}, {second, sigma}});
   }
 
   [[nodiscard]] Offset run(Pose2 T_cells);
   [[nodiscard]] const Pose2& motion() const { return T_; }
 
  private:
-  struct Level {
-    OffsetLevel first, second;
-  };
-  template <class Visit>
-  void for_each_common_cell(const Level& level, const Visit& visit) const;
-  [[nodiscard]] Overlap overlap(const Level& level) const;
-  [[nodiscard]] NormalEquations equations(const Level& level) const;
-  void decide_observable(const Level& level, Offset& out);
-  bool pass(const Level& level);
+  [[nodiscard]] OffsetEquations equations(const OffsetLevels& levels) const {
+    return offset_equations(levels, T_, overlap_, config_.outlier);
+  }
+  void decide_observable(const OffsetLevels& levels, Offset& out);
+  bool pass(const OffsetLevels& levels);
   bool all_passes();
   [[nodiscard]] Vector3d from_prior() const;
   [[nodiscard]] bool is_near_prior() const;
   [[nodiscard]] Pose2 step(const Vector3d& delta) const;
 
   const OffsetConfig& config_;
-  GridFrame frame_;
-  std::vector<Level> levels_;
+  std::vector<OffsetLevels> passes_;
   Pose2 T_{}, prior_{};
-  Overlap overlap_;
+  OffsetOverlap overlap_;
   Matrix3d observed_ = Matrix3d::Zero();  ///< columns: the directions that may move; the others are zero
 };
 
-template <class Visit>
-void Registration::for_each_common_cell(const Level& level, const Visit& visit) const {
-  const double c = std::cos(T_.theta), s = std::sin(T_.theta);
-  for (int y = 0; y < frame_.height; ++y) {
-    for (int x = 0; x < frame_.width; ++x) {
-      const OffsetLevel::Sample here = level.second.at_cell({x, y});
-      if (here.weight <= 0.0) continue;
-      OffsetLevel::Sample there = level.first.at({T_.x + c * x - s * y, T_.y + s * x + c * y});
-      if (there.weight <= 0.0) continue;
-      there.gradient = {c * there.gradient.x() + s * there.gradient.y(),
-                        -s * there.gradient.x() + c * there.gradient.y()};
-      visit(Vector2d(x, y), here, there);
-    }
-  }
-}
-
-Overlap Registration::overlap(const Level& level) const {
-  Overlap sum;
-  double squares = 0.0;
-  for_each_common_cell(level, [&](const Vector2d& p, const auto& here, const auto& there) {
-    const double w = here.weight * there.weight;
-    sum.weight += w;
-    sum.centre += w * p;
-    squares += w * p.squaredNorm();
-  });
-  if (sum.weight <= 0.0) return sum;
-  sum.centre /= sum.weight;
-  sum.radius = std::sqrt(std::max(squares / sum.weight - sum.centre.squaredNorm(), 1.0));
-  return sum;
-}
-
-/// The Jacobian is that of the mean of both maps' gradients, which reaches second order (Malis 2004).
-NormalEquations Registration::equations(const Level& level) const {
-  NormalEquations sum;
-  for_each_common_cell(level, [&](const Vector2d& p, const auto& here, const auto& there) {
-    const double r = there.value - here.value;
-    const double w = here.weight * there.weight / (1.0 + r * r / (config_.outlier * config_.outlier));
-    const Vector2d g = 0.5 * (here.gradient + there.gradient);
-    const Vector2d arm = (p - overlap_.centre) / overlap_.radius;
-    const Vector3d row(g.x(), g.y(), arm.x() * g.y() - arm.y() * g.x());
-    sum.gradients += w * row * row.transpose();
-    sum.right += (w * r) * row;
-    sum.squares += w * r * r;
-    sum.weight += w;
-  });
-  return sum;
-}
-
-void Registration::decide_observable(const Level& level, Offset& out) {
-  const NormalEquations sums = equations(level);
+void Registration::decide_observable(const OffsetLevels& levels, Offset& out) {
+  const OffsetEquations sums = equations(levels);
   const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(sums.gradients / sums.weight);
   out.eigenvalues = solver.eigenvalues();
   out.weakest = solver.eigenvectors().col(0);
@@ -170,7 +100,7 @@ bool Registration::is_near_prior() const {
          std::abs(moved.z()) <= kFarthest * config_.prior_sigma_turn * overlap_.radius;
 }
 
-bool Registration::pass(const Level& level) {
+bool Registration::pass(const OffsetLevels& levels) {
   const double shift = config_.outlier / config_.prior_sigma_cells;
   const double turn = config_.outlier / (config_.prior_sigma_turn * overlap_.radius);
   const Matrix3d prior = Vector3d(shift * shift, shift * shift, turn * turn).asDiagonal();
@@ -178,7 +108,7 @@ bool Registration::pass(const Level& level) {
   Vector3d before = Vector3d::Zero();
   double share = 1.0;
   for (int i = 0; i < config_.iterations; ++i) {
-    const NormalEquations sums = equations(level);
+    const OffsetEquations sums = equations(levels);
     const Matrix3d seen = observed_.transpose() * (sums.gradients + prior) * observed_;
     const Vector3d pull = observed_.transpose() * (sums.right + prior * from_prior());
     const Vector3d delta = -observed_ * seen.completeOrthogonalDecomposition().solve(pull);
@@ -195,17 +125,17 @@ bool Registration::pass(const Level& level) {
 /// Whether the last one comes to rest.
 bool Registration::all_passes() {
   bool rests = false;
-  for (const Level& level : levels_) rests = pass(level);
+  for (const OffsetLevels& levels : passes_) rests = pass(levels);
   return rests;
 }
 
 Offset Registration::run(Pose2 T_cells) {
   T_ = prior_ = T_cells;
   Offset out;
-  overlap_ = overlap(levels_.back());
+  overlap_ = offset_overlap(passes_.back(), T_);
   out.overlap_cells = overlap_.weight;
   if (overlap_.weight < config_.least_overlap_cells) return out;
-  decide_observable(levels_[levels_.size() / 2], out);
+  decide_observable(passes_[passes_.size() / 2], out);
   bool rests = out.observed_directions > 0 && all_passes();
   if (!is_near_prior() && out.observed_directions > 1) {
     observed_.col(0).setZero();  // it slid along the weakest one that seemed observed
@@ -213,7 +143,7 @@ Offset Registration::run(Pose2 T_cells) {
     T_ = prior_;
     rests = all_passes();
   }
-  const NormalEquations last = equations(levels_.back());
+  const OffsetEquations last = equations(passes_.back());
   out.overlap_cells = last.weight;
   out.rms_difference = last.weight > 0.0 ? std::sqrt(last.squares / last.weight) : 0.0;
   out.estimated = rests && is_near_prior() && last.weight >= config_.least_overlap_cells;

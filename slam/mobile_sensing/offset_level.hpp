@@ -19,6 +19,8 @@ class OffsetLevel {
     double weight = 0.0;                                 ///< 0 outside the map
     Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  ///< [1/cell]
   };
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] Sample at_cell(Cell c) const;
   /// Cubic for values (Keys 1981), linear for weights and gradients.
   [[nodiscard]] Sample at(const Eigen::Vector2d& p) const;
