@@ -56,7 +56,7 @@ Command sense_figures_command(CLI::App& sense) {
   parser->add_option("NUMBER", arguments->numbers, "as listed below; all where none is given");
   parser
       ->add_option("--map", arguments->map,
-                   "field of figures 5 and 6 in place of the hallway: 0 (free) to 1 (occupied), .csv or .npy")
+                   fmt::format("field of figures 5 and 6 in place of the hallway: {}", kFieldMapFiles))
       ->type_name("FILE");
   parser->add_option("--seeds", arguments->config.seeds, "draws of cells behind every mean")
       ->check(CLI::Range(2, 10000))

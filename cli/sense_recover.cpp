@@ -67,7 +67,7 @@ int run(const RecoverArguments& arguments) {
 Command sense_recover_command(CLI::App& sense) {
   auto arguments = std::make_shared<RecoverArguments>();
   CLI::App* parser = sense.add_subcommand("recover", "maps from K of their cells, by sparsity and by total variation");
-  parser->add_option("MAP", arguments->maps, "fields of 0 (free) to 1 (occupied), .csv or .npy")->required();
+  parser->add_option("MAP", arguments->maps, kFieldMapFiles)->required();
   parser->add_option("--samples", arguments->counts, "K: cells to sense")->type_name("K")->capture_default_str();
   parser->add_option("--prior", arguments->priors, fmt::format("{}", fmt::join(kFieldPriorNames, ", ")))
       ->capture_default_str();

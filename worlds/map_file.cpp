@@ -74,16 +74,7 @@ char pixel(MapCell cell) {
   return static_cast<char>(kPixels[static_cast<std::size_t>(cell)]);
 }
 
-}  // namespace
-
-OccupancyMap read_map_file(const std::filesystem::path& yaml) {
-  ConfigSection section = ConfigSection::load(yaml);
-  const MapHead head = read_head(section);
-  std::error_code ignored;
-  if (!std::filesystem::exists(head.image, ignored)) {
-    section.fail("image", "image: there is no " + head.image.string());
-  }
-  const MapImage image = read_map_image(head.image);
+OccupancyMap map_of(const MapHead& head, const MapImage& image) {
   OccupancyMap map{
       .width = image.width, .height = image.height, .resolution = head.resolution, .T_map_image = head.T_map_image};
   map.cells.reserve(image.grey.size());
@@ -94,6 +85,22 @@ OccupancyMap read_map_file(const std::filesystem::path& yaml) {
     }
   }
   return map;
+}
+
+}  // namespace
+
+OccupancyMap read_map_file(const std::filesystem::path& yaml) {
+  ConfigSection section = ConfigSection::load(yaml);
+  const MapHead head = read_head(section);
+  std::error_code ignored;
+  if (!std::filesystem::exists(head.image, ignored)) {
+    section.fail("image", "image: there is no " + head.image.string());
+  }
+  return map_of(head, read_map_image(head.image));
+}
+
+OccupancyMap read_map_picture(const std::filesystem::path& picture, double resolution) {
+  return map_of({.resolution = resolution}, read_map_image(picture));
 }
 
 std::string map_pgm_bytes(const OccupancyMap& map) {

@@ -25,6 +25,10 @@ namespace cogslam {
 /// file:line:column of the key, or naming the image (map_image.hpp).
 OccupancyMap read_map_file(const std::filesystem::path& yaml);
 
+/// The picture of such a map without its YAML file: mode and thresholds as by default, origin 0. `resolution`: side of
+/// a cell [m].
+OccupancyMap read_map_picture(const std::filesystem::path& picture, double resolution);
+
 /// The image of a map as binary PGM: 0 occupied, 254 free, 205 unknown, the top row first.
 std::string map_pgm_bytes(const OccupancyMap& map);
 

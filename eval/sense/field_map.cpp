@@ -4,12 +4,30 @@
 #include "core/number_text.hpp"
 #include "eval/lab/map_source.hpp"
 #include "worlds/hallway.hpp"
+#include "worlds/map_file.hpp"
 #include "worlds/truth_grid.hpp"
 
 namespace cogslam {
 
+namespace {
+
+double value_of(MapCell cell) { return cell == MapCell::kOccupied ? 1.0 : cell == MapCell::kFree ? 0.0 : 0.5; }
+
+FieldMap field_of(const OccupancyMap& occupancy, const std::filesystem::path& file) {
+  FieldMap map{.name = file.stem().string(), .width = occupancy.width, .height = occupancy.height, .cells = {}};
+  for (int y = map.height; y-- > 0;) {
+    for (int x = 0; x < map.width; ++x) map.cells.push_back(value_of(occupancy.at({x, y})));
+  }
+  return map;
+}
+
+}  // namespace
+
 FieldMap read_field_map(const std::filesystem::path& file) {
-  const Grid<float> grid = file.extension() == ".npy" ? read_npy(file) : read_csv(file);
+  const std::filesystem::path ending = file.extension();
+  if (ending == ".yaml") return field_of(read_map_file(file), file);
+  if (ending == ".pgm" || ending == ".png") return field_of(read_map_picture(file, 1.0), file);
+  const Grid<float> grid = ending == ".npy" ? read_npy(file) : read_csv(file);
   FieldMap map{.name = file.stem().string(),
                .width = grid.frame().width,
                .height = grid.frame().height,

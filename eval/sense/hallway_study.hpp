@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/parallel.hpp"
+#include "eval/sense/link_counts.hpp"
 #include "eval/sense/path_correction.hpp"
 
 namespace cogslam {
@@ -22,9 +23,7 @@ HallwayRun run_hallway(const PathDriveConfig& drive, const PathCorrectionConfig&
 struct HallwayScore {
   std::uint32_t seed = 0;
   PathDeviation odometry, corrected;
-  int links = 0;          ///< pairs of neighbouring looks
-  int not_estimated = 0;  ///< links that kept the prior
-  int not_observed = 0;   ///< estimated links with a direction that kept the prior
+  LinkCounts links;
 };
 
 struct HallwayStudy {
@@ -36,7 +35,8 @@ struct HallwayStudy {
 
 HallwayScore score_hallway(const HallwayRun& run, std::uint32_t seed);
 
-/// One score for each seed. The same for any number of threads.
+/// One score for each seed. The same for any number of threads. Throws InputError where on one drive no partial map
+/// overlaps the one before (expect_overlap).
 std::vector<HallwayScore> run_hallway_study(const HallwayStudy& study, Workers& workers);
 
 std::string hallway_table(const std::vector<HallwayScore>& scores);

@@ -53,18 +53,19 @@ LogPath correct_log(const CarmenLog& log, const std::filesystem::path& file, con
                                                 config.seed, static_cast<std::uint32_t>(i));
     const std::optional<Offset> offset = chain.push(map, moved);
     ++path.maps;
-    if (offset && !offset->estimated) ++path.not_estimated;
-    if (offset && offset->estimated && offset->observed_directions < 3) ++path.not_observed;
+    if (offset) path.links.add(*offset);
     registered.push_back({.record = i, .T_map_base = chain.pose()});
     before = i;
   }
+  expect_overlap(path.links, config.offset, {file.string()});
   path.poses = complete_path(log.odometry, registered);
   return path;
 }
 
 std::string log_table(const LogPath& path, const RelationErrors& odometry, const RelationErrors& corrected) {
-  return fmt::format("{} partial maps, {} links not estimated, {} with a direction not observed\n\n", path.maps,
-                     path.not_estimated, path.not_observed) +
+  return fmt::format(
+             "{} partial maps, {} links not estimated ({} without overlap), {} with a direction not observed\n\n",
+             path.maps, path.links.not_estimated, path.links.no_overlap, path.links.not_observed) +
          fmt::format("{:<10} {:<7} {:>6} {:>20} {:>20}\n", "path", "split", "count", "translation [m]", "turn [deg]") +
          rows("odometry", odometry) + rows("corrected", corrected);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "eval/metrics/relations.hpp"
+#include "eval/sense/link_counts.hpp"
 #include "sensors/log/carmen_log.hpp"
 #include "slam/mobile_sensing/offset_chain.hpp"
 
@@ -28,12 +29,11 @@ struct LogPathConfig {
 struct LogPath {
   std::vector<Pose2> poses;  ///< from the first record's odometry on
   int maps = 0;
-  int not_estimated = 0;
-  int not_observed = 0;
+  LinkCounts links;
 };
 
 /// Throws InputError where no record carries a scan: "FILE: no laser scan in the log, expected FLASER or ROBOTLASER1
-/// lines".
+/// lines", and where no partial map overlaps the one before (expect_overlap).
 LogPath correct_log(const CarmenLog& log, const std::filesystem::path& file, const LogPathConfig& config);
 
 /// Relations errors of odometry and of the corrected path, as a table.

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/check.hpp"
-#include "core/error.hpp"
 #include "slam/mobile_sensing/offset_equations.hpp"
 
 namespace cogslam {
@@ -134,7 +133,8 @@ Offset Registration::run(Pose2 T_cells) {
   Offset out;
   overlap_ = offset_overlap(passes_.back(), T_);
   out.overlap_cells = overlap_.weight;
-  if (overlap_.weight < config_.least_overlap_cells) return out;
+  out.overlaps = overlap_.weight >= config_.least_overlap_cells;
+  if (!out.overlaps) return out;
   decide_observable(passes_[passes_.size() / 2], out);
   bool rests = out.observed_directions > 0 && all_passes();
   if (!is_near_prior() && out.observed_directions > 1) {
@@ -176,14 +176,6 @@ Offset estimate_offset(const PartialMap& first, const PartialMap& second, const 
   Offset out = registration.run(grids.to_cells(prior_T_first_second));
   out.T_first_second = out.estimated ? grids.to_metres(registration.motion()) : prior_T_first_second;
   return out;
-}
-
-Offset estimate_offset_of_overlap(const PartialMap& first, const PartialMap& second, const Pose2& prior_T_first_second,
-                                  const OffsetConfig& config) {
-  const Offset out = estimate_offset(first, second, prior_T_first_second, config);
-  if (out.overlap_cells >= config.least_overlap_cells) return out;
-  throw InputError("the partial maps share " + std::to_string(std::lround(out.overlap_cells)) +
-                   " cells, expected at least " + std::to_string(config.least_overlap_cells));
 }
 
 }  // namespace cogslam

@@ -30,6 +30,7 @@ struct OffsetConfig {
 /// What the comparison says of the motion, and what it cannot say.
 struct Offset {
   Pose2 T_first_second{};       ///< pose of the second map's base seen from the first's; the prior where not observed
+  bool overlaps = false;        ///< at the prior the maps have enough cells in common
   bool estimated = false;       ///< enough overlap, and the last pass came to rest within 3 sigmas of the prior
   int observed_directions = 0;  ///< of 3; along the others the prior holds
   /// Of the gradient matrix over the overlap, ascending, per cell: [1/cell^2], the rotation in units of the overlap's
@@ -46,10 +47,5 @@ struct Offset {
 /// eigenvalue is too small, as along a straight corridor, are left at the prior. Both maps must have cells of one size.
 Offset estimate_offset(const PartialMap& first, const PartialMap& second, const Pose2& prior_T_first_second,
                        const OffsetConfig& config = {});
-
-/// The same, but throws InputError where the maps do not overlap at the prior: "the partial maps share N cells,
-/// expected at least M".
-Offset estimate_offset_of_overlap(const PartialMap& first, const PartialMap& second, const Pose2& prior_T_first_second,
-                                  const OffsetConfig& config = {});
 
 }  // namespace cogslam

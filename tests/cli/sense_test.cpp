@@ -68,6 +68,34 @@ TEST(Sense, RecoverSaysWhatIsWrong) {
   EXPECT_THAT(error({}), HasSubstr("MAP is required"));
 }
 
+TEST(Sense, RecoverReadsMapsOfRosAndTheirPictures) {
+  const TemporaryFolder folder;
+  std::string csv, plain = "P2\n# as map_server writes it\n16 12\n255\n";
+  for (int y = 0; y < 12; ++y) {
+    for (int x = 0; x < 16; ++x) {
+      const bool wall = x == 7 || (y == 2 && x < 4), unknown = y > 8;
+      csv += std::string(wall ? "1" : unknown ? "0.5" : "0") + (x < 15 ? "," : "\n");
+      plain += wall ? "0 " : unknown ? "205 " : "254 ";
+    }
+  }
+  const std::string pgm = folder.file("room.pgm", plain);
+  const std::string yaml = folder.file("room.yaml", "image: room.pgm\nresolution: 0.1\norigin: [-1, -2, 0]\n");
+  const auto recovered = [](const std::string& map) {
+    const Outcome outcome =
+        run_program({"sense", "recover", map, "--samples", "40", "--prior", "tv", "--seeds", "2", "--json"});
+    EXPECT_EQ(outcome.code, kOk) << outcome.err;
+    nlohmann::json scores = nlohmann::json::parse(outcome.out)["scores"];
+    return scores[0]["relative_error"].dump();
+  };
+  const std::string expected = recovered(folder.file("room.csv", csv));
+  EXPECT_EQ(recovered(pgm), expected);
+  EXPECT_EQ(recovered(yaml), expected);
+  EXPECT_THAT(run_program({"sense", "recover", folder.file("cut.pgm", "P5 4 4 255\nabc"), "--samples", "2"}).err,
+              HasSubstr("cut.pgm: cut off after 3 pixels, expected 4 x 4"));
+  EXPECT_THAT(run_program({"sense", "recover", folder.file("odd.pgm", "0,1\n"), "--samples", "2"}).err,
+              HasSubstr("odd.pgm: neither PGM (P2, P5) nor PNG, expected one of them"));
+}
+
 TEST(Sense, OffsetsPrintsBothKindsOfMapsOrCsv) {
   const Outcome both = run_program({"sense", "offsets", "--draws", "4", "-j", "1"});
   EXPECT_EQ(both.code, kOk) << both.err;
@@ -100,6 +128,9 @@ TEST(Sense, MotionSaysWhatIsWrong) {
             "cogslam: samples: expected 1 to 2048, the cells of a partial map, found 0\n");
   EXPECT_EQ(error({"hallway", "--samples", "2049"}),
             "cogslam: samples: expected 1 to 2048, the cells of a partial map, found 2049\n");
+  EXPECT_EQ(error({"hallway", "--seeds", "1", "--across", "4", "--ahead", "4", "--samples", "16"}),
+            "cogslam: none of 111 links between partial maps has 40 cells in common, expected a smaller step or larger "
+            "maps\n");
   EXPECT_EQ(error({"hallway", "--step", "0"}), "cogslam: step_m: expected more than 0\n");
 }
 
@@ -139,13 +170,43 @@ std::string drawn_log() {
   return text;
 }
 
+/// Two scans of the same walls, `metres` apart by odometry.
+std::string leap_log(double metres) {
+  std::string ranges;
+  for (int i = 0; i <= 180; ++i) ranges += i % 60 < 30 ? " 4.0" : " 6.0";
+  const auto line = [&](double x, int stamp) {
+    return fmt::format("FLASER 181{0} {1} 0 0 {1} 0 0 {2}.0 host {2}.0\n", ranges, x, stamp);
+  };
+  return line(0.0, 1) + line(metres, 2);
+}
+
+TEST(Sense, LogWithoutOverlapSaysSo) {
+  const TemporaryFolder folder;
+  const std::string relations = folder.file("log.relations", "1.0 2.0 1 0 0 0 0 0\n");
+  const auto run = [&](const std::string& text) {
+    return run_program({"sense", "log", folder.file("leap.clf", text), "--relations", relations});
+  };
+  const Outcome apart = run(leap_log(50.0)), near = run(leap_log(0.6));
+  EXPECT_EQ(apart.code, kUsageError);
+  EXPECT_EQ(apart.out, "");
+  EXPECT_EQ(
+      apart.err,
+      "cogslam: " + (folder.path() / "leap.clf").string() +
+          ": none of 1 links between partial maps has 40 cells in common, expected a smaller step or larger maps\n");
+  EXPECT_EQ(near.code, kOk) << near.err;
+  EXPECT_THAT(near.out, HasSubstr("(0 without overlap)"));
+  const Outcome once = run(leap_log(0.6) + leap_log(50.6).substr(leap_log(50.6).find('\n') + 1));
+  EXPECT_THAT(once.out, HasSubstr("3 partial maps, 1 links not estimated (1 without overlap)")) << once.err;
+}
+
 TEST(Sense, LogCorrectsTheWayOfADrawnOne) {
   const TemporaryFolder folder;
   const std::string log = folder.file("drawn.clf", drawn_log());
   const std::string relations = folder.file("drawn.relations", "1.0 6.0 2.5 0 0 0 0 0\n");
   const Outcome outcome = run_program({"sense", "log", log, "--relations", relations});
   EXPECT_EQ(outcome.code, kOk) << outcome.err;
-  EXPECT_THAT(outcome.out, StartsWith("drawn.clf: 6 records, 6 scans\n6 partial maps, 0 links not estimated, "));
+  EXPECT_THAT(outcome.out,
+              StartsWith("drawn.clf: 6 records, 6 scans\n6 partial maps, 0 links not estimated (0 without overlap), "));
   const auto translation = [&](const std::string& path) {
     std::istringstream row(outcome.out.substr(outcome.out.find(path)));
     std::string name, split;

@@ -66,7 +66,7 @@ TEST(HallwayStudy, CorrectsHeadingAndCrossCorridorErrorTenfold) {
     EXPECT_LT(score.corrected.heading, 0.1 * score.odometry.heading) << "seed " << score.seed;
     EXPECT_LT(score.corrected.across, 0.1 * score.odometry.across) << "seed " << score.seed;
     EXPECT_GT(score.odometry.across, 5.0) << "the odometry is bad enough to matter";
-    EXPECT_GT(score.not_observed, 0) << "the plain corridor hides its length";
+    EXPECT_GT(score.links.not_observed, 0) << "the plain corridor hides its length";
   }
   Workers alone(1);
   EXPECT_EQ(hallway_csv(run_hallway_study(study, alone)), hallway_csv(scores));
@@ -82,7 +82,7 @@ TEST(HallwayStudy, DoesNotSlideToAnotherWallOfTheSameLook) {
 }
 
 // In look 31 cells come into the overlap and go out of it by turns, and a step of 0.002 cells goes to and fro.
-TEST(HallwayStudy, ComesToRestWhereTheOverlapChangesByTurns) { EXPECT_EQ(score_of(764).not_estimated, 0); }
+TEST(HallwayStudy, ComesToRestWhereTheOverlapChangesByTurns) { EXPECT_EQ(score_of(764).links.not_estimated, 0); }
 
 TEST(OffsetStudy, FindsOffsetsOfDrawnMapsToATwentiethOfACell) {
   Workers workers(2);
