@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <thread>
 
 #include "eval/variant_run.hpp"
@@ -53,6 +54,11 @@ void add_options(CLI::App& parser, Options& options) {
   parser.add_option("--out", options.out, "folder that the run's folder is put into")
       ->type_name("DIR")
       ->capture_default_str();
+  const std::map<std::string, PageKind> pages{
+      {"none", PageKind::kNone}, {"static", PageKind::kStatic}, {"player", PageKind::kPlayer}};
+  parser.add_option("--page", options.page, "page.html of the run: with a replay, static without script, or none")
+      ->transform(CLI::CheckedTransformer(pages).description("none|static|player"))
+      ->default_str("player");
   parser.add_flag("--no-files", options.no_files, "write no folder");
   parser.add_flag("--save-readings", options.save_readings, "also save readings.bin and truth.bin, to replay them");
   parser.add_flag("--json", options.json, "print one JSON object (as scores.json) in place of the table");
@@ -86,6 +92,11 @@ std::vector<VariantConfig> chosen_variants(const Options& options, const std::ve
   }
   if (chosen.empty()) throw InputError("--store " + options.store.value_or("") + ": no variant has this store");
   return chosen;
+}
+
+std::optional<TraceLimits> trace_limits(const Options& options) {
+  if (options.no_files || options.page == PageKind::kNone) return std::nullopt;
+  return TraceLimits{};
 }
 
 std::string choice_comment(const Options& options) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "eval/run_folder.hpp"
 #include "eval/scenario.hpp"
 
 namespace cogslam {
@@ -21,6 +22,7 @@ struct Options {
   std::optional<double> percent_kept;  ///< of coefficients
   std::vector<std::string> settings;   ///< --set key=value
   std::filesystem::path out = "runs";
+  PageKind page = PageKind::kPlayer;
   bool no_files = false;
   bool save_readings = false;
   bool json = false;
@@ -38,6 +40,9 @@ Overrides overrides_of(const Options& options, const std::filesystem::path& file
 
 /// The variants that --store leaves. Throws InputError where none is left.
 std::vector<VariantConfig> chosen_variants(const Options& options, const std::vector<VariantConfig>& variants);
+
+/// What the page needs to be kept while the filters run: nothing where no page is written.
+std::optional<TraceLimits> trace_limits(const Options& options);
 
 /// The options that choose among variants or say what is done, as a comment line for the resolved file; empty where
 /// there is nothing to say.

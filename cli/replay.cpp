@@ -80,13 +80,14 @@ int replay(const ReplayArguments& arguments) {
   Workers workers(options.threads);
   const Episode episode =
       replay_variants(log_name(arguments.log), recording, {.truth = truth ? &*truth : nullptr, .relations = relations},
-                      variants, config.seed, workers, progress.begin());
+                      variants, config.seed, workers, progress.begin(), trace_limits(options));
   tell_of_relations(episode, progress);
   const RunFiles files{.episode = episode,
                        .recording = recording,
                        .truth = truth ? &*truth : nullptr,
                        .config_name = arguments.scenario.empty() ? "replay.yaml" : "scenario.yaml",
                        .config = choice_comment(options) + config.resolved,
+                       .page = options.page,
                        .save_readings = options.save_readings};
   return publish(files, options, progress);
 }

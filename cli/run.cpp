@@ -33,13 +33,14 @@ int run(const RunArguments& arguments) {
   const Drive drive = record_drive(scenario, begin("simulating " + scenario.name));
   tell_of_drive(drive, progress);
   Workers workers(options.threads);
-  const Episode episode =
-      replay_variants(scenario.name, drive.recording, {.truth = &drive.truth}, variants, scenario.seed, workers, begin);
+  const Episode episode = replay_variants(scenario.name, drive.recording, {.truth = &drive.truth}, variants,
+                                          scenario.seed, workers, begin, trace_limits(options));
   const RunFiles files{.episode = episode,
                        .recording = drive.recording,
                        .truth = &drive.truth,
                        .config_name = "scenario.yaml",
                        .config = choice_comment(options) + scenario.resolved,
+                       .page = options.page,
                        .save_readings = options.save_readings};
   return publish(files, options, progress);
 }

@@ -18,7 +18,7 @@ set(HOMES
   "opencv2/@^(slam/(odometry|mobile_sensing)/[^/]*|worlds/map_contours)\\.cpp$"
   "ceres/@^slam/(odometry|match|mobile_sensing)/[^/]*\\.cpp$"
   "yaml-cpp/@^core/config[^/]*\\.cpp$"
-  "zlib\\.h@^(core/text_file|sensors/[a-z_/]*)\\.cpp$"
+  "zlib\\.h@^(core/text_file|sensors/[a-z_/]*|eval/page/packed)\\.cpp$"
   "Random123/@^(core/rng|sensors/pixel_noise)\\.cpp$"  # a picture draws a million numbers at once
   "nlohmann/@^eval/"
   "png\\.h@^(eval/|worlds/map_image_png\\.cpp$)"

@@ -20,15 +20,17 @@ double span_seconds(const std::vector<Reading>& readings) {
 
 std::string label(const VariantConfig& variant) { return fmt::format("{} {} m", variant.name, variant.slam.cell_size); }
 
+std::string label(const VariantRecord& variant) { return fmt::format("{} {} m", variant.name, variant.cell_size_m); }
+
 Episode replay_variants(const std::string& name, const Recording& recording, const Evidence& evidence,
                         const std::vector<VariantConfig>& variants, std::uint32_t seed, Workers& workers,
-                        const StageBegin& begin) {
+                        const StageBegin& begin, const std::optional<TraceLimits>& limits) {
   Episode episode{.record = {.scenario = name, .seed = seed, .readings_hash = readings_hash(recording.readings)}};
   if (std::none_of(recording.readings.begin(), recording.readings.end(), has_scan)) return episode;
   episode.record.simulated_s = span_seconds(recording.readings);
   for (const VariantConfig& variant : variants) {
     const Progress progress = begin ? begin(label(variant)) : Progress{};
-    episode.runs.push_back(run_variant(variant, seed, recording, evidence, workers, progress));
+    episode.runs.push_back(run_variant(variant, seed, recording, evidence, workers, progress, limits));
   }
   compare_with_baseline(episode.runs, variants, recording, evidence.truth);
   for (const VariantRun& run : episode.runs) episode.record.variants.push_back(run.record);

@@ -6,6 +6,7 @@
 #include "core/output_file.hpp"
 #include "eval/export.hpp"
 #include "eval/new_folder.hpp"
+#include "eval/page/run_page.hpp"
 #include "eval/report/map_picture.hpp"
 #include "eval/report/room_picture.hpp"
 #include "worlds/map_file.hpp"
@@ -76,16 +77,17 @@ class FolderWriter {
     if (files_.save_readings) write_truth_log(folder_ / "truth.bin", *files_.truth);
   }
 
-  void write_variant(const VariantRun& run) const {
+  void write_variant(std::size_t v) {
+    const VariantRun& run = files_.episode.runs[v];
     const std::string name = stem(run);
     if (!run.map.values().empty()) {
       write_map(folder_ / name, run.map);
-      write_file(folder_ / (name + "_map.png"), picture_of_map(run.map));
+      write_picture(name + "_map.png", {v, true, picture_of_map(run.map)});
     }
     if (run.online.empty()) return;  // it was given the true poses
     write_trajectory(folder_ / (name + "_online.tum"), stamps_, run.online);
     write_trajectory(folder_ / (name + "_final.tum"), stamps_, run.final);
-    write_file(folder_ / (name + "_paths.png"), picture_of_paths(run));
+    write_picture(name + "_paths.png", {v, false, picture_of_paths(run)});
   }
 
   void write_room() const {
@@ -97,7 +99,18 @@ class FolderWriter {
     if (finest != nullptr) write_file(folder_ / "room.png", picture_of_paths(*finest));
   }
 
+  void write_page() const {
+    if (files_.page == PageKind::kNone) return;
+    const PageParts parts = files_.page == PageKind::kPlayer ? built_in_parts() : static_parts();
+    write_file(folder_ / "page.html", run_page(files_, pictures_, parts));
+  }
+
  private:
+  void write_picture(const std::string& name, PagePicture picture) {
+    write_file(folder_ / name, picture.png);
+    pictures_.push_back(std::move(picture));
+  }
+
   void write_reference() const {
     std::vector<Time> stamps;
     std::vector<Pose2> path;
@@ -123,6 +136,7 @@ class FolderWriter {
   std::vector<Time> stamps_;
   std::vector<Pose2> odometry_;
   std::vector<Pose2> truth_;
+  std::vector<PagePicture> pictures_;
 };
 
 }  // namespace
@@ -131,14 +145,15 @@ std::filesystem::path write_run_folder(const std::filesystem::path& parent, cons
                                        const StageBegin& begin) {
   const std::filesystem::path target = parent / content_name(files);
   NewFolder folder(target);
-  const FolderWriter writer(folder.path(), files);
+  FolderWriter writer(folder.path(), files);
   const Progress progress = begin ? begin("files") : Progress{};
   writer.write_shared();
   for (std::size_t i = 0; i < files.episode.runs.size(); ++i) {
     if (progress) progress(static_cast<double>(i) / static_cast<double>(files.episode.runs.size()));
-    writer.write_variant(files.episode.runs[i]);
+    writer.write_variant(i);
   }
   writer.write_room();
+  writer.write_page();
   folder.move_to_target();
   return target;
 }

@@ -7,6 +7,13 @@
 
 namespace cogslam {
 
+/// The page of a run.
+enum class PageKind {
+  kNone,
+  kStatic,  ///< scores, pictures and curves
+  kPlayer,  ///< and a replay, where the program was built with its script; else as kStatic
+};
+
 /// Everything that a run's folder is made of; it only looks at what others own.
 struct RunFiles {
   const Episode& episode;
@@ -14,14 +21,15 @@ struct RunFiles {
   const TruthLog* truth = nullptr;  ///< nothing: a log of a real robot
   std::string config_name;          ///< of the file with the resolved configuration: scenario.yaml, replay.yaml
   std::string config;               ///< its content
-  bool save_readings = false;       ///< also readings.bin and, where known, truth.bin
+  PageKind page = PageKind::kPlayer;
+  bool save_readings = false;  ///< also readings.bin and, where known, truth.bin
 };
 
 /// Writes the files of a run into `<parent>/<name>-<16 hex digits>` and returns that folder. The digits are a hash of
 /// the configuration, the seed, the readings and the scores, so that the same run always lies in the same place and
 /// runs that differ do not share one. In the folder:
 ///
-///   scores.json, the configuration
+///   scores.json, the configuration, page.html (eval/page/run_page.hpp)
 ///   world.{pgm,yaml}                              the map that the world was drawn from, where there was one
 ///   truth.tum, odometry.tum, reference.tum, <variant>_<cell size>m_{online,final}.tum
 ///   <variant>_<cell size>m.{pgm,yaml,npy}         the map

@@ -92,17 +92,30 @@ Json variant(const VariantRecord& v) {
 
 std::string text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
+Json whole(const RunRecord& record, Json variants) {
+  return {{"schema", kRunRecordSchema},
+          {"scenario", record.scenario},
+          {"seed", record.seed},
+          {"readings_hash", or_null(record.readings_hash)},
+          {"simulated_s", or_null(record.simulated_s)},
+          {"variants", std::move(variants)}};
+}
+
 }  // namespace
 
 std::string to_json(const RunRecord& record) {
   Json variants = Json::array();
   for (const VariantRecord& v : record.variants) variants.push_back(variant(v));
-  return text({{"schema", kRunRecordSchema},
-               {"scenario", record.scenario},
-               {"seed", record.seed},
-               {"readings_hash", or_null(record.readings_hash)},
-               {"simulated_s", or_null(record.simulated_s)},
-               {"variants", std::move(variants)}});
+  return text(whole(record, std::move(variants)));
+}
+
+std::string lasting_json(const RunRecord& record) {
+  Json variants = Json::array();
+  for (const VariantRecord& v : record.variants) {
+    variants.push_back(variant(v));
+    variants.back().erase("costs");
+  }
+  return text(whole(record, std::move(variants)));
 }
 
 std::string scores_json(const RunRecord& record) {

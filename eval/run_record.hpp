@@ -83,6 +83,9 @@ struct RunRecord {
 /// as reads back exactly. Angles are radians, but relations errors are degrees, as the benchmark reports them.
 std::string to_json(const RunRecord& record);
 
+/// The same without costs: all that a run has in common with its repetitions.
+std::string lasting_json(const RunRecord& record);
+
 /// The `scores` parts alone, in the order of the variants: what two runs must share byte for byte.
 std::string scores_json(const RunRecord& record);
 

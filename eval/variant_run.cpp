@@ -93,17 +93,46 @@ void score_relations(const VariantRun& run, const Recording& recording, std::spa
   scores.relations_final = relation_errors(relations, stamps, odometry, run.final);
 }
 
+/// Keeps a trace where one is wanted, and the time that this takes apart.
+class Watch {
+ public:
+  Watch(const Recording& recording, const std::optional<TraceLimits>& limits) {
+    if (limits) recorder_.emplace(recording, *limits);
+  }
+  void after(std::size_t record, bool registered, const LastScan& scan, const TraceRecorder::Belief& belief) {
+    if (!recorder_) return;
+    recorder_->note(record, registered, scan);
+    if (!recorder_->due(record)) return;
+    wall_.start();
+    cpu_.start();
+    recorder_->look(record, belief);
+    cpu_.stop();
+    wall_.stop();
+  }
+  [[nodiscard]] double wall_seconds() const { return wall_.seconds(); }
+  [[nodiscard]] double cpu_seconds() const { return cpu_.seconds(); }
+  std::optional<RunTrace> finish(const Grid<float>& map) {
+    return recorder_ ? std::optional(recorder_->finish(map)) : std::nullopt;
+  }
+
+ private:
+  std::optional<TraceRecorder> recorder_;
+  StretchTimer wall_{Clock::kWall}, cpu_{Clock::kProcessCpu};
+};
+
 void run_filter(const VariantConfig& variant, std::uint32_t seed, const Recording& recording, Workers& workers,
-                const Progress& progress, VariantRun& run) {
+                const Progress& progress, Watch& watch, VariantRun& run) {
   FastSlam slam(variant.slam, seed, workers);
   std::vector<Pose2> odometry;
+  const TraceRecorder::Belief belief{.cloud = [&] { return slam.cloud(); }, .map = [&] { return slam.best_map(); }};
   for (std::size_t i = 0; i < recording.readings.size(); ++i) {
     if (progress) {  // each time: with many particles one reading takes seconds
       progress(static_cast<double>(i) / static_cast<double>(recording.readings.size()));
     }
-    slam.update(recording.readings[i]);
+    const bool registered = slam.update(recording.readings[i]);
     run.online.push_back(slam.T_map_base());
     odometry.push_back(slam.T_odom_base());
+    watch.after(i, registered, slam.last_scan(), belief);
   }
   run.final = complete_path(odometry, slam.best_path());
   run.map = slam.best_map();
@@ -112,11 +141,13 @@ void run_filter(const VariantConfig& variant, std::uint32_t seed, const Recordin
 }
 
 void run_mapper(const VariantConfig& variant, const Recording& recording, const TruthLog& truth,
-                const Progress& progress, VariantRun& run) {
+                const Progress& progress, Watch& watch, VariantRun& run) {
   TruePoseMapper mapper(variant.slam);
+  const TraceRecorder::Belief belief{.map = [&] { return mapper.map(); }};
   for (std::size_t i = 0; i < recording.readings.size(); ++i) {
     if (progress) progress(static_cast<double>(i) / static_cast<double>(recording.readings.size()));
-    mapper.update(recording.readings[i], truth.poses[i].T_map_base);
+    const bool registered = mapper.update(recording.readings[i], truth.poses[i].T_map_base);
+    watch.after(i, registered, mapper.statistics().last, belief);
   }
   run.map = mapper.map();
   add_statistics(mapper.statistics(), run.record.scores);
@@ -166,21 +197,24 @@ std::vector<Pose2> odometry_path(const Recording& recording) {
 }
 
 VariantRun run_variant(const VariantConfig& variant, std::uint32_t seed, const Recording& recording,
-                       const Evidence& evidence, Workers& workers, const Progress& progress) {
+                       const Evidence& evidence, Workers& workers, const Progress& progress,
+                       const std::optional<TraceLimits>& limits) {
   EXPECTS(!variant.true_poses || evidence.truth != nullptr);
   VariantRun run{.record = describe(variant)};
   const auto rss_before = rss_bytes();
   reset_rss_peak();
+  Watch watch(recording, limits);
   const Stopwatch wall(Clock::kWall), cpu(Clock::kProcessCpu);
   if (variant.true_poses) {
-    run_mapper(variant, recording, *evidence.truth, progress, run);
+    run_mapper(variant, recording, *evidence.truth, progress, watch, run);
   } else {
-    run_filter(variant, seed, recording, workers, progress, run);
+    run_filter(variant, seed, recording, workers, progress, watch, run);
   }
   Costs& costs = run.record.costs;
   Scores& scores = run.record.scores;
-  costs.wall_s = wall.seconds();
-  costs.cpu_s = cpu.seconds();
+  costs.wall_s = wall.seconds() - watch.wall_seconds();
+  costs.cpu_s = cpu.seconds() - watch.cpu_seconds();
+  run.trace = watch.finish(run.map);
   if (*scores.registered > 0)
     costs.cpu_ms_per_registered = 1e3 * *costs.cpu_s / static_cast<double>(*scores.registered);
   if (const auto peak = rss_peak_bytes(); peak && rss_before) {

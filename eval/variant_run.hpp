@@ -8,6 +8,7 @@
 #include "eval/metrics/relations.hpp"
 #include "eval/recorder.hpp"
 #include "eval/run_record.hpp"
+#include "eval/run_trace.hpp"
 #include "eval/scenario.hpp"
 
 namespace cogslam {
@@ -24,6 +25,7 @@ struct VariantRun {
   std::vector<Pose2> online;  ///< one pose per reading
   std::vector<Pose2> final;   ///< one pose per reading
   Grid<float> map;
+  std::optional<RunTrace> trace;  ///< where one was asked for
 };
 
 /// As in scenario files and records.
@@ -33,9 +35,11 @@ std::string store_name(StoreKind kind);
 std::vector<Pose2> odometry_path(const Recording& recording);
 
 /// Replays the readings through one variant and scores it. A variant that maps from true poses needs
-/// `evidence.truth`; its own path is not scored.
+/// `evidence.truth`; its own path is not scored. With `limits` it also keeps a trace; that changes no score, and costs
+/// do not count the time it takes.
 VariantRun run_variant(const VariantConfig& variant, std::uint32_t seed, const Recording& recording,
-                       const Evidence& evidence, Workers& workers, const Progress& progress = {});
+                       const Evidence& evidence, Workers& workers, const Progress& progress = {},
+                       const std::optional<TraceLimits>& limits = {});
 
 /// Adds the comparisons with the uncompressed filter of the same cell size and poses (design: the first dense variant).
 void compare_with_baseline(std::vector<VariantRun>& runs, const std::vector<VariantConfig>& variants,

@@ -199,7 +199,9 @@ void FastSlam::resample_if_due() {
   for (const Particle& particle : particles_) log_weights.push_back(particle.log_weight);
   const std::vector<double> weights = normalised_weights(log_weights);
   const double enough = config_.resampling.effective_share * static_cast<double>(particles_.size());
-  if (!config_.resampling.every_step && effective_sample_size(weights) >= enough) return;
+  statistics_.last.effective_particles = effective_sample_size(weights);
+  statistics_.last.resampled = config_.resampling.every_step || statistics_.last.effective_particles < enough;
+  if (!statistics_.last.resampled) return;
 
   Rng rng({.seed = seed_, .purpose = Purpose::kResample, .tick = records_});
   const std::vector<std::size_t> chosen = systematic_resample(weights, rng.uniform());
@@ -225,11 +227,19 @@ void FastSlam::account() {
   statistics_.payload_bytes += (payload - statistics_.payload_bytes) / count;
   statistics_.bytes += (all_in - statistics_.bytes) / count;
   statistics_.bytes_peak = std::max(statistics_.bytes_peak, all_in);
+  statistics_.last.payload_bytes = payload;
+  statistics_.last.bytes = all_in;
 }
 
 const Particle& FastSlam::best() const { return particles_[best_]; }
 
 Pose2 FastSlam::T_map_base() const { return best().T_map_base * motion_.T_last_now(); }
+
+std::vector<Pose2> FastSlam::cloud() const {
+  std::vector<Pose2> poses;
+  for (const Particle& particle : particles_) poses.push_back(particle.T_map_base * motion_.T_last_now());
+  return poses;
+}
 
 std::vector<RegisteredPose> FastSlam::best_path() const { return paths_.path_to(best().node); }
 

@@ -29,6 +29,8 @@ class FastSlam {
 
   /// The pose to report now: of the best particle, moved on by odometry since the last registered scan.
   [[nodiscard]] Pose2 T_map_base() const;
+  /// The poses of all particles now, each moved on by odometry since the last registered scan; in slot order.
+  [[nodiscard]] std::vector<Pose2> cloud() const;
   /// The path of odometry, refined by tracking where the filter tracks scans. Its errors add up.
   [[nodiscard]] Pose2 T_odom_base() const { return T_odom_base_; }
   /// The registered poses of the best particle's whole path, oldest first.
@@ -36,6 +38,7 @@ class FastSlam {
   /// The best particle's map, with the scans that still wait: log-odds over the stated area, or over all it has seen.
   [[nodiscard]] Grid<float> best_map() const;
   [[nodiscard]] FilterStatistics statistics() const;
+  [[nodiscard]] const LastScan& last_scan() const { return statistics_.last; }
   /// Names the belief (poses, weights, compass biases, maps), to compare runs.
   [[nodiscard]] std::uint64_t state_hash() const;
 

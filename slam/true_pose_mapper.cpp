@@ -30,6 +30,9 @@ bool TruePoseMapper::update(const Reading& reading, const Pose2& T_map_base) {
   statistics_.payload_bytes += (static_cast<double>(meter_->payload()) - statistics_.payload_bytes) / count;
   statistics_.bytes += (static_cast<double>(meter_->total()) - statistics_.bytes) / count;
   statistics_.bytes_peak = std::max(statistics_.bytes_peak, static_cast<double>(meter_->total()));
+  statistics_.last = {.effective_particles = 1.0,
+                      .payload_bytes = static_cast<double>(meter_->payload()),
+                      .bytes = static_cast<double>(meter_->total())};
   return true;
 }
 

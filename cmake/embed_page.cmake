@@ -1,0 +1,33 @@
+# Writes the page's texts as C++ strings:  cmake -DOUT=file.cpp -DSTYLE=page.css "-DSCRIPT=run.js;notices.txt" -P ...
+cmake_minimum_required(VERSION 3.25)
+set(text "// Made from eval/page/web by cmake/embed_page.cmake.\n#include \"eval/page/built_in.hpp\"\nnamespace cogslam {\n")
+
+# One constant; `file` may be empty.
+function(embed name file)
+  set(content "")
+  if(file)
+    file(READ ${file} content)
+  endif()
+  # In pieces: a compiler need not take a literal of over 64 kB, and adjacent ones are joined.
+  string(LENGTH "${content}" length)
+  set(at 0)
+  set(literal "R\"page_text()page_text\"")
+  while(at LESS length)
+    string(SUBSTRING "${content}" ${at} 8000 piece)
+    string(APPEND literal "\n    R\"page_text(${piece})page_text\"")
+    math(EXPR at "${at} + 8000")
+  endwhile()
+  set(text "${text}const char* const ${name} =\n    ${literal};\n" PARENT_SCOPE)
+endfunction()
+
+list(LENGTH SCRIPT files)
+set(script "")
+set(notices "")
+if(files EQUAL 2)
+  list(GET SCRIPT 0 script)
+  list(GET SCRIPT 1 notices)
+endif()
+embed(kPageStyle "${STYLE}")
+embed(kPageScript "${script}")
+embed(kPageNotices "${notices}")
+file(WRITE ${OUT} "${text}}  // namespace cogslam\n")

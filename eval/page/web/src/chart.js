@@ -1,0 +1,123 @@
+// Curves over a common x, drawn by uPlot; shared by all pages.
+
+import uPlot from 'uplot';
+import { colour, onTheme } from './theme.js';
+
+const DASHES = [[], [9, 4], [2, 3], [12, 3, 2, 3], [5, 5], [14, 5], [1, 2]];
+const COLOURS = ['ink', 'orange', 'green', 'purple', 'blue', 'yellow', 'grey'];
+
+/** Colour (by its name in page.css) and dashes of the n-th curve: told apart by either alone. */
+export const look = (n) => ({ colour: COLOURS[n % COLOURS.length], dash: DASHES[n % DASHES.length] });
+
+function axis(label) {
+  return {
+    label,
+    labelSize: 22,
+    size: 52,
+    stroke: () => colour('soft'),
+    grid: { stroke: () => colour('line'), width: 1 },
+    ticks: { stroke: () => colour('line'), width: 1, size: 5 },
+    font: '12px system-ui, sans-serif',
+    labelFont: '12px system-ui, sans-serif',
+    values: (_, splits) => splits.map((v) => (v === null ? '' : String(Number(v.toPrecision(6))))),
+  };
+}
+
+function seriesOf(curve) {
+  if (curve.pointsOnly) {
+    return {
+      label: curve.label,
+      paths: () => null,
+      points: { show: true, size: 7, width: 1.5, stroke: () => colour(curve.colour), fill: () => colour('paper') },
+    };
+  }
+  return {
+    label: curve.label,
+    stroke: () => colour(curve.colour),
+    width: curve.width ?? 1.5,
+    dash: curve.dash,
+    spanGaps: true,
+    points: { show: false },
+    value: (_, v) => (v === null || v === undefined ? '–' : String(Number(v.toPrecision(4)))),
+  };
+}
+
+/** Curves as uPlot takes them, with low and high of an interval as two more for each that has them. */
+function tables(curves) {
+  const columns = [];
+  const series = [];
+  const bands = [];
+  for (const curve of curves) {
+    columns.push([Array.from(curve.x), Array.from(curve.y, (v) => (Number.isFinite(v) ? v : null))]);
+    series.push(seriesOf(curve));
+    if (!curve.low) continue;
+    for (const edge of [curve.high, curve.low]) {
+      columns.push([Array.from(curve.x), Array.from(edge)]);
+      series.push({ label: `${curve.label}, interval`, stroke: 'transparent', points: { show: false }, spanGaps: true });
+    }
+    bands.push({ series: [series.length - 1, series.length], fill: () => `${colour(curve.colour)}33` });
+  }
+  return { data: uPlot.join(columns), series, bands };
+}
+
+/** A chart that fills the width of its figure. */
+export class Chart {
+  /** `curves`: {label, x, y, colour, dash, width, pointsOnly, low, high}; y may hold NaN. `onPick(x)`: it was clicked. */
+  constructor(figure, { title, xLabel, yLabel, curves, logarithmic = false, onPick }) {
+    const { data, series, bands } = tables(curves);
+    this.figure = figure;
+    this.height = 230;
+    const options = {
+      width: this.#width(),
+      height: this.height,
+      series: [{ label: xLabel, value: (_, v) => (v === null || v === undefined ? '–' : v.toFixed(1)) }, ...series],
+      bands,
+      axes: [axis(xLabel), axis(yLabel)],
+      scales: {
+        x: { time: false },
+        y: logarithmic ? { distr: 3 } : { range: (_, low, high) => [Math.min(0, low ?? 0), (high || 1) * 1.05] },
+      },
+      cursor: { drag: { x: false, y: false } },
+    };
+    const caption = document.createElement('figcaption');
+    caption.textContent = title;
+    const holder = document.createElement('div');
+    holder.setAttribute('role', 'img');
+    holder.setAttribute('aria-label', `${title}: ${curves.map((curve) => curve.label).join(', ')}`);
+    figure.replaceChildren(caption, holder);
+    this.plot = new uPlot(options, data, holder);
+    this.head = document.createElement('div');
+    this.head.className = 'playhead';
+    this.plot.over.append(this.head);
+    if (onPick) {
+      this.plot.over.addEventListener('click', (event) => {
+        onPick(this.plot.posToVal(event.clientX - this.plot.over.getBoundingClientRect().left, 'x'));
+      });
+    }
+  }
+  #width() {
+    return Math.max(240, Math.floor(this.figure.clientWidth));
+  }
+  /** Marks an x. */
+  point(x) {
+    this.x = x;
+    this.head.style.transform = `translateX(${this.plot.valToPos(x, 'x')}px)`;
+  }
+  resize() {
+    if (this.plot.width === this.#width()) return;
+    this.plot.setSize({ width: this.#width(), height: this.height });
+    if (this.x !== undefined) this.point(this.x);
+  }
+  redraw() {
+    this.plot.redraw(false, true);
+  }
+  destroy() {
+    this.plot.destroy();
+  }
+}
+
+/** Keeps the charts that `current()` returns in colour and in width. */
+export function keepFresh(current) {
+  onTheme(() => current().forEach((chart) => chart.redraw()));
+  addEventListener('resize', () => current().forEach((chart) => chart.resize()));
+}
