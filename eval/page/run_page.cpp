@@ -62,11 +62,19 @@ std::string figure(const RunRecord& record, const PagePicture& picture) {
                      fmt::format(fmt::runtime(caption), html_text(name)));
 }
 
-std::string pictures_section(const RunRecord& record, const std::vector<PagePicture>& pictures) {
+/// Beside a player the paths of one variant are enough: pictures of paths are large.
+bool needed(const PagePicture& picture, bool scripted, std::size_t shown) {
+  return picture.map || !scripted || picture.variant == shown;
+}
+
+std::string pictures_section(const RunRecord& record, const std::vector<PagePicture>& pictures, bool scripted,
+                             std::size_t shown) {
   std::string html =
       "<section id=\"pictures\" aria-labelledby=\"pictures-title\"><h2 id=\"pictures-title\">Pictures</h2>\n"
       "<div class=\"gallery\">\n";
-  for (const PagePicture& picture : pictures) html += figure(record, picture);
+  for (const PagePicture& picture : pictures) {
+    if (needed(picture, scripted, shown)) html += figure(record, picture);
+  }
   return html + "</div></section>\n";
 }
 
@@ -118,8 +126,8 @@ std::string run_page(const RunFiles& files, const std::vector<PagePicture>& pict
   body += intro(files, shown);
   if (scripted) body += fmt::format("<section id=\"player\" data-variant=\"{}\"></section>\n", shown);
   body += curves_section(files, scripted);
-  body +=
-      scores_section(record, shown) + pictures_section(record, pictures) + about_section(files, scripted) + "</main>\n";
+  body += scores_section(record, shown) + pictures_section(record, pictures, scripted, shown) +
+          about_section(files, scripted) + "</main>\n";
   if (scripted) body += data_scripts(record, player);
   return html_document(record.scenario + " - cogslam", body, parts);
 }

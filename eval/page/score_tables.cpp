@@ -18,8 +18,19 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kNotMeasured = "<span title=\"not measured\">–</span>";
 
 std::string number_in_text(const Json& value) {
-  if (value.is_number_float()) return fmt::format("{:.4g}", value.get<double>());
-  return value.dump();
+  if (!value.is_number_float()) return value.dump();
+  const double number = value.get<double>();
+  return std::abs(number) < 1000.0 ? fmt::format("{:.4g}", number) : fmt::format("{:.0f}", number);
+}
+
+/// A mean of squares also as its root, in the unit that people think in.
+std::string root_in_html(std::string_view key, const Json& value) {
+  if (!value.is_number()) return {};
+  const double root = std::sqrt(value.get<double>());
+  const auto ends_with = [&](std::string_view end) { return key.size() > end.size() && key.ends_with(end); };
+  if (ends_with("_m2")) return fmt::format("<span class=\"part\"><i>root</i> {:.3g} m</span>", root);
+  if (ends_with("_rad2")) return fmt::format("<span class=\"part\"><i>root</i> {:.3g}°</span>", degrees(root));
+  return {};
 }
 
 /// A score as people read it, HTML; nested ones as lines.
@@ -40,9 +51,9 @@ Json scores_of(const RunRecord& record, std::size_t v) {
 
 std::string score_cell(const Json& scores, std::string_view key, std::size_t variant) {
   const Json& value = scores.at(std::string(key));
-  return fmt::format("<td class=\"{}\" data-key=\"{}\" data-variant=\"{}\" data-value=\"{}\">{}</td>",
+  return fmt::format("<td class=\"{}\" data-key=\"{}\" data-variant=\"{}\" data-value=\"{}\">{}{}</td>",
                      value.is_number() || value.is_null() ? "number" : "words", key, variant, html_text(value.dump()),
-                     value_in_html(value));
+                     value_in_html(value), root_in_html(key, value));
 }
 
 struct Headline {

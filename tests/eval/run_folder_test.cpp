@@ -61,7 +61,7 @@ TEST(RunFolder, HoldsEveryPartOfARun) {
   const fs::path folder = write_run_folder(parent.path() / "new" / "runs", run.files());
   EXPECT_THAT(folder.filename().string(), testing::MatchesRegex("short-[0-9a-f]{16}"));
   EXPECT_EQ(folder.parent_path(), parent.path() / "new" / "runs");
-  std::set<std::string> expected{"scenario.yaml", "scores.json",   "truth.tum",
+  std::set<std::string> expected{"scenario.yaml", "scores.json",   "truth.tum", "page.html",
                                  "odometry.tum",  "reference.tum", "room.png"};
   for (const std::string name : {"og_0.5m", "og_0.2m"}) {
     for (const char* end : {".pgm", ".yaml", ".npy", "_map.png", "_paths.png", "_online.tum", "_final.tum"}) {

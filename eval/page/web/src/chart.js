@@ -3,17 +3,19 @@
 import uPlot from 'uplot';
 import { colour, onTheme } from './theme.js';
 
+const PAPER_WIDTH = 335; // half of the printed width of A4 [CSS pixels], less the gap
+
 const DASHES = [[], [9, 4], [2, 3], [12, 3, 2, 3], [5, 5], [14, 5], [1, 2]];
 const COLOURS = ['ink', 'orange', 'green', 'purple', 'blue', 'yellow', 'grey'];
 
 /** Colour (by its name in page.css) and dashes of the n-th curve: told apart by either alone. */
 export const look = (n) => ({ colour: COLOURS[n % COLOURS.length], dash: DASHES[n % DASHES.length] });
 
-function axis(label) {
+function axis(label, size) {
   return {
     label,
     labelSize: 22,
-    size: 52,
+    size,
     stroke: () => colour('soft'),
     grid: { stroke: () => colour('line'), width: 1 },
     ticks: { stroke: () => colour('line'), width: 1, size: 5 },
@@ -28,6 +30,7 @@ function seriesOf(curve) {
     return {
       label: curve.label,
       paths: () => null,
+      value: () => '○',
       points: { show: true, size: 7, width: 1.5, stroke: () => colour(curve.colour), fill: () => colour('paper') },
     };
   }
@@ -41,6 +44,9 @@ function seriesOf(curve) {
     value: (_, v) => (v === null || v === undefined ? '–' : String(Number(v.toPrecision(4)))),
   };
 }
+
+/** Of the sample in the legend. */
+const lineStyle = (dash) => (!dash?.length ? 'solid' : dash[0] < 4 ? 'dotted' : 'dashed');
 
 /** Curves as uPlot takes them, with low and high of an interval as two more for each that has them. */
 function tables(curves) {
@@ -72,11 +78,12 @@ export class Chart {
       height: this.height,
       series: [{ label: xLabel, value: (_, v) => (v === null || v === undefined ? '–' : v.toFixed(1)) }, ...series],
       bands,
-      axes: [axis(xLabel), axis(yLabel)],
+      axes: [axis(xLabel, 32), axis(yLabel, 52)],
       scales: {
         x: { time: false },
         y: logarithmic ? { distr: 3 } : { range: (_, low, high) => [Math.min(0, low ?? 0), (high || 1) * 1.05] },
       },
+      legend: { markers: { width: 2, dash: (plot, i) => lineStyle(plot.series[i].dash) } },
       cursor: { drag: { x: false, y: false } },
     };
     const caption = document.createElement('figcaption');
@@ -89,6 +96,7 @@ export class Chart {
     this.head = document.createElement('div');
     this.head.className = 'playhead';
     this.plot.over.append(this.head);
+    this.plot.over.addEventListener('mouseleave', () => this.x !== undefined && this.point(this.x));
     if (onPick) {
       this.plot.over.addEventListener('click', (event) => {
         onPick(this.plot.posToVal(event.clientX - this.plot.over.getBoundingClientRect().left, 'x'));
@@ -102,10 +110,12 @@ export class Chart {
   point(x) {
     this.x = x;
     this.head.style.transform = `translateX(${this.plot.valToPos(x, 'x')}px)`;
+    this.plot.setLegend({ idx: this.plot.valToIdx(x) });
   }
-  resize() {
-    if (this.plot.width === this.#width()) return;
-    this.plot.setSize({ width: this.#width(), height: this.height });
+  /** To `width`, or to that of the figure. */
+  resize(width = this.#width()) {
+    if (this.plot.width === width) return;
+    this.plot.setSize({ width, height: this.height });
     if (this.x !== undefined) this.point(this.x);
   }
   redraw() {
@@ -120,4 +130,7 @@ export class Chart {
 export function keepFresh(current) {
   onTheme(() => current().forEach((chart) => chart.redraw()));
   addEventListener('resize', () => current().forEach((chart) => chart.resize()));
+  // Two beside each other on a sheet of paper, which is laid out without telling of a new width.
+  addEventListener('beforeprint', () => current().forEach((chart) => chart.resize(PAPER_WIDTH)));
+  addEventListener('afterprint', () => current().forEach((chart) => chart.resize()));
 }

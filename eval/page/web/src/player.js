@@ -65,7 +65,8 @@ export class Player {
   }
 
   #setUpSpeed(chooser) {
-    this.seconds = this.run.timeRises ? this.run.time[this.run.frames - 1] : 0;
+    const { time } = this.run; // it may jump, as stamps of real logs do
+    this.seconds = time.reduce((most, t) => Math.max(most, t), 0) - time.reduce((least, t) => Math.min(least, t), 0);
     if (!(this.seconds > 0)) this.seconds = this.run.frames / 20;
     const start = SPEEDS.findLast((speed) => this.seconds / speed >= SECONDS_OF_A_REPLAY * 0.7) ?? 1;
     for (const speed of SPEEDS) chooser.append(new Option(`${speed} ×`, speed, speed === start, speed === start));
