@@ -11,6 +11,10 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES README.md CONTRIBUTING.md CHANGELOG.md LICENSE ${PROJECT_BINARY_DIR}/generated/changelog.gz
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program RENAME copyright)
+if(COGSLAM_PAGE_PARTS)  # of what is bundled in the program for its pages
+  install(FILES ${COGSLAM_PAGE_PARTS}/notices.txt DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
+    RENAME copyright_of_page_parts)
+endif()
 set(generated ${PROJECT_BINARY_DIR}/generated)
 install(FILES ${generated}/cogslam.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 install(FILES ${generated}/bash/cogslam DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
@@ -27,7 +31,7 @@ install(TARGETS cogslam_library cogslam_options cogslam_core cogslam_worlds cogs
   ARCHIVE COMPONENT library)
 foreach(layer core worlds sim sensors slam eval)
   install(DIRECTORY ${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cogslam COMPONENT library
-    FILES_MATCHING PATTERN *.hpp)
+    FILES_MATCHING PATTERN *.hpp PATTERN web EXCLUDE)
 endforeach()
 install(EXPORT cogslamTargets NAMESPACE cogslam:: DESTINATION ${config_dir} COMPONENT library)
 configure_package_config_file(cmake/cogslamConfig.cmake.in ${PROJECT_BINARY_DIR}/cogslamConfig.cmake

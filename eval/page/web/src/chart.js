@@ -36,6 +36,7 @@ function seriesOf(curve) {
   }
   return {
     label: curve.label,
+    colour: curve.colour, // our own: a name of page.css
     stroke: () => colour(curve.colour),
     width: curve.width ?? 1.5,
     dash: curve.dash,
@@ -72,6 +73,7 @@ export class Chart {
   constructor(figure, { title, xLabel, yLabel, curves, logarithmic = false, onPick }) {
     const { data, series, bands } = tables(curves);
     this.figure = figure;
+    this.colours = series.reduce((list, { colour: name }) => [...list, name], [undefined]);
     this.height = 230;
     const options = {
       width: this.#width(),
@@ -118,8 +120,13 @@ export class Chart {
     this.plot.setSize({ width, height: this.height });
     if (this.x !== undefined) this.point(this.x);
   }
+  /** In the colours of now; uPlot colours the samples of its legend but once. */
   redraw() {
     this.plot.redraw(false, true);
+    this.plot.root.querySelectorAll('.u-legend .u-series').forEach((row, i) => {
+      const marker = row.querySelector('.u-marker');
+      if (marker && this.colours[i]) marker.style.borderColor = colour(this.colours[i]);
+    });
   }
   destroy() {
     this.plot.destroy();

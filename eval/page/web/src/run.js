@@ -98,6 +98,7 @@ async function start() {
   window.cogslam = hookOf(run, player, ready);
   await ready;
   player.seek(run.frames - 1);
+  performance.mark('cogslam-ready');
 }
 
 start();

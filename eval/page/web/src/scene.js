@@ -2,6 +2,7 @@
 
 import { colour } from './theme.js';
 
+const NEAR = 300; // pixels per metre at most near the robot
 const MARGIN = 14; // pixels around what is shown
 
 /** The smallest box around all points; each list is flat pairs or paths. */
@@ -57,7 +58,7 @@ export class Scene {
     const [x0, y0, x1, y1] = this.box;
     const robot = (this.variant.estimate ?? this.run.truth ?? this.run.odometry).at(frame);
     const near = this.follow && Number.isFinite(robot.x);
-    this.scale = near ? Math.max(this.fit * 2, Math.min(90, this.fit * 6)) : this.fit;
+    this.scale = near ? Math.max(this.fit * 2, Math.min(NEAR, this.fit * 12)) : this.fit;
     this.centre = near ? [robot.x, robot.y] : [(x0 + x1) / 2, (y0 + y1) / 2];
   }
 
@@ -86,10 +87,10 @@ export class Scene {
       if (this.layers[layer] && path) this.#drawPath(path, frame, width, dash, colour(name));
     }
     if (this.layers.lidar) this.#drawHits(frame);
-    if (this.layers.particles && variant.clouds) this.#drawCloud(frame);
     if (this.layers.truth && run.truth) this.#drawTrueRobot(run.truth.at(frame));
     if (this.layers.odometry) this.#drawOdometryRobot(run.odometry.at(frame));
     if (this.layers.estimate && variant.estimate) this.#drawRobot(variant.estimate.at(frame));
+    if (this.layers.particles && variant.clouds) this.#drawCloud(frame);
     this.#drawScale();
   }
 

@@ -40,6 +40,12 @@ function makeSortable(table) {
   });
 }
 
+/** Words are looked for anywhere in a row, numbers must be a whole cell: 0.1 is not meant to find 0.1179. */
+const holds = (row, word) =>
+  Number.isNaN(Number(word))
+    ? row.textContent.toLowerCase().includes(word)
+    : Array.from(row.cells).some((cell) => cell.textContent.trim() === word);
+
 /** A field above the table that leaves rows with all of its words. */
 function makeFilterable(table) {
   const label = document.createElement('label');
@@ -55,7 +61,7 @@ function makeFilterable(table) {
     const words = field.value.toLowerCase().split(/\s+/).filter(Boolean);
     const rows = Array.from(table.tBodies[0].rows);
     rows.forEach((row) => {
-      row.hidden = !words.every((word) => row.textContent.toLowerCase().includes(word));
+      row.hidden = !words.every((word) => holds(row, word));
     });
     count.textContent = words.length > 0 ? ` ${rows.filter((row) => !row.hidden).length} of ${rows.length}` : '';
   });
