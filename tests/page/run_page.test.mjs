@@ -105,6 +105,7 @@ test('draws the robot where it says', () =>
         const ratio = canvas.width / canvas.clientWidth;
         return Array.from(canvas.getContext('2d').getImageData(Math.round(px * ratio), Math.round(py * ratio), 1, 1).data);
       }, [x, y]);
+    await page.locator('[data-layer=particles]').uncheck(); // they lie on top of it
     await page.evaluate(() => window.cogslam.seek(0));
     const { robot_px: start } = await state(page);
     await page.evaluate(() => window.cogslam.seek(Infinity));
