@@ -118,7 +118,7 @@ void FastSlam::advance(Particle& particle, std::size_t slot, const Reading& read
 Pose2 FastSlam::T_map_entering(const Particle& particle) const {
   const auto back = static_cast<int>(waiting_.size());
   if (back == 0) return particle.T_map_base;
-  return particle.T_map_was * paths_.pose(paths_.ancestor(particle.node, back - 1)).T_map_base;
+  return particle.T_closed_open * paths_.pose(paths_.ancestor(particle.node, back - 1)).T_map_base;
 }
 
 /// (5): the window that the scan can touch from poses up to `margin_cells` away, and the scan that enters.
@@ -162,7 +162,7 @@ void FastSlam::propose_by_match(Particle& particle, Rng& rng, MapWorker& worker)
   const double log_evidence =
       match.log_posterior + 0.5 * std::log(match.covariance.determinant() / spread_.determinant());
   particle.log_weight += log_evidence / sharpness;
-  particle.T_map_was = drift_.closes_loop() ? particle.T_map_base * predicted.inverse() : Pose2{};
+  particle.T_closed_open = drift_.closes_loop() ? particle.T_map_base * predicted.inverse() : Pose2{};
 }
 
 /// How far end points move when the search, and the draw after it, go to their limits.
@@ -178,7 +178,7 @@ int FastSlam::search_margin_cells() const {
 void FastSlam::record_paths() {
   for (Particle& particle : particles_) {
     if (drift_.closes_loop()) {  // what waits was tracked from here, and moves along
-      particle.node = paths_.moved(particle.node, static_cast<int>(waiting_.size()), particle.T_map_was);
+      particle.node = paths_.moved(particle.node, static_cast<int>(waiting_.size()), particle.T_closed_open);
     }
     const PathTree::Node leaf = paths_.append(particle.node, {records_, particle.T_map_base});
     paths_.release(particle.node);

@@ -13,7 +13,7 @@ struct Particle {
   double log_weight = 0.0;       ///< since the last resampling
   double path_log_weight = 0.0;  ///< since the start, along its path
   PathTree::Node node = PathTree::kRoot;
-  Pose2 T_map_was{};  ///< where a closed loop moved the scans that wait: identity but for that moment
+  Pose2 T_closed_open{};  ///< what closing a loop moves by: identity but where one closes
   CompassBias compass_bias{};
   MapStore map;  ///< shared with other particles until one of them writes
 };

@@ -29,7 +29,8 @@ Cell cell_at(const Eigen::Vector2d& p) {
 }  // namespace
 
 // In line: called for every cell of every beam.
-[[gnu::always_inline]] inline void MapUpdater::touch(Cell lattice_cell, const GridFrame& frame, bool hit, bool overwrite) {
+[[gnu::always_inline]] inline void MapUpdater::touch(Cell lattice_cell, const GridFrame& frame, bool hit,
+                                                     bool overwrite) {
   const Cell c{lattice_cell.x - frame.lattice_min.x, lattice_cell.y - frame.lattice_min.y};
   if (!frame.contains(c)) return;
   const auto index = static_cast<std::uint32_t>(frame.index(c));
