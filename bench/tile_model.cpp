@@ -32,10 +32,11 @@ int main(int count, char** arguments) {
   }
   const cogslam::ContextModel model = census.model();
   std::printf("// Printed by bench/tile_model.\n\n#include \"slam/codec/context_code.hpp\"\n\nnamespace cogslam {\n\n");
-  std::printf("const ContextModel& context_model() {\n  static constexpr ContextModel kModel{\n");
+  std::printf("namespace {\n\nconstexpr ContextModel kModel{\n");
   cogslam::print_values(model.as_above);
   cogslam::print_values(model.as_before);
   cogslam::print_values(model.level);
-  std::printf("};\n  return kModel;\n}\n\n}  // namespace cogslam\n");
+  std::printf(
+      "};\n\n}  // namespace\n\nconst ContextModel& context_model() { return kModel; }\n\n}  // namespace cogslam\n");
   return 0;
 }

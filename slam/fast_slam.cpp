@@ -85,7 +85,8 @@ void FastSlam::spread_motion() {
   spread_ = tracker_->spread() + drift_.released();
 }
 
-/// Asked of the best particle for all: their paths differ by less than sight reaches.
+/// Asked of the best particle for all: their paths differ by less than sight reaches. Walks its whole path, which costs
+/// far less than one particle's match.
 bool FastSlam::old_map_in_sight() const {
   const Pose2 now = best().T_map_base * motion_.T_last_now();
   auto registered = static_cast<std::size_t>(statistics_.registered);

@@ -15,8 +15,8 @@ struct LastScan {
 
 /// What the filter went through. Byte figures are per particle, shared blocks divided among their sharers.
 struct FilterStatistics {
-  std::int64_t registered = 0;  ///< scans that changed the map
-  std::int64_t tracked = 0;     ///< scans that changed nothing: odometry alone moved the pose
+  std::int64_t registered = 0;  ///< scans that were matched and weighed, and enter the maps
+  std::int64_t tracked = 0;     ///< the other scans: they only told of motion
   std::int64_t resamplings = 0;
   double payload_bytes = 0.0;  ///< map values alone, mean over registered scans
   double bytes = 0.0;          ///< all-in: headers, directories, heap padding, pose and path tree; mean

@@ -30,8 +30,8 @@ void MapWorker::look() {
 }
 
 void MapWorker::write(MapStore& map, const std::vector<Beam>& sweep, const Pose2& T_map_base) {
-  const CellWindow window = window_of(sweep, T_map_base, cell_size_);
   if (sweep.empty()) return;
+  const CellWindow window = window_of(sweep, T_map_base, cell_size_);
   if (!loaded_.contains(window)) load(map, window);
   if (levels_) {
     map.commit_levels(updater_.integrate(sweep, T_map_base, *levels_, scratch_.levels), scratch_);

@@ -5,6 +5,7 @@
 #include "core/check.hpp"
 #include "eval/page/built_in.hpp"
 #include "eval/page/packed.hpp"
+#include "eval/report/markup.hpp"
 
 namespace cogslam {
 namespace {
@@ -16,32 +17,6 @@ constexpr std::string_view kPolicy =
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 }  // namespace
-
-std::string html_text(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string json_in_html(std::string_view json) {
   std::string out;
@@ -67,7 +42,7 @@ std::string html_document(std::string_view title, std::string_view body, const P
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{}</title>\n<link rel=\"icon\" href=\"data:,\">\n",
-      kPolicy, html_text(title));
+      kPolicy, markup_text(title));
   if (!parts.notices.empty()) page += fmt::format("<!--\n{}\n-->\n", parts.notices);
   page += fmt::format("<style>\n{}</style>\n</head>\n<body>\n{}", parts.style, body);
   if (!parts.script.empty()) page += fmt::format("<script>\n{}</script>\n", parts.script);
@@ -75,7 +50,7 @@ std::string html_document(std::string_view title, std::string_view body, const P
 }
 
 std::string embedded_image(std::string_view type, std::string_view bytes, std::string_view alt) {
-  return fmt::format("<img src=\"data:{};base64,{}\" alt=\"{}\">", type, base64(bytes), html_text(alt));
+  return fmt::format("<img src=\"data:{};base64,{}\" alt=\"{}\">", type, base64(bytes), markup_text(alt));
 }
 
 }  // namespace cogslam

@@ -5,9 +5,6 @@
 
 namespace cogslam {
 
-/// Text as the content of an element or of an attribute in double quotes.
-std::string html_text(std::string_view text);
-
 /// JSON as the content of a <script>: no '<' is left that could end it. Still the same JSON.
 std::string json_in_html(std::string_view json);
 

@@ -5,6 +5,7 @@
 #include "eval/page/curves.hpp"
 #include "eval/page/player_data.hpp"
 #include "eval/page/score_tables.hpp"
+#include "eval/report/markup.hpp"
 
 namespace cogslam {
 namespace {
@@ -26,8 +27,8 @@ std::string intro(const RunFiles& files, std::size_t shown) {
   return fmt::format(
       "<header><h1>{}</h1>\n<p class=\"facts\">{}, seed {}, {} of readings, <code>{}</code></p>\n"
       "<p class=\"summary\">{}</p></header>\n",
-      html_text(record.scenario), html_text(files.recording.source), record.seed, span,
-      html_text(record.readings_hash.value_or("-")), score_summary(record.variants[shown]));
+      markup_text(record.scenario), markup_text(files.recording.source), record.seed, span,
+      markup_text(record.readings_hash.value_or("-")), score_summary(record.variants[shown]));
 }
 
 std::string curves_section(const RunFiles& files, bool scripted) {
@@ -59,7 +60,7 @@ std::string figure(const RunRecord& record, const PagePicture& picture) {
                             : "{}: true (broad), odometric and estimated (dark) path";
   return fmt::format("<figure data-variant=\"{}\" data-kind=\"{}\">{}<figcaption>{}</figcaption></figure>\n",
                      picture.variant, picture.map ? "map" : "paths", embedded_image("image/png", picture.png, alt),
-                     fmt::format(fmt::runtime(caption), html_text(name)));
+                     fmt::format(fmt::runtime(caption), markup_text(name)));
 }
 
 /// Beside a player the paths of one variant are enough: pictures of paths are large.
@@ -93,11 +94,9 @@ std::string about_section(const RunFiles& files, bool scripted) {
   std::string html = fmt::format(
       "<footer id=\"about\"><h2>About this page</h2>\n<p>Made by cogslam out of the files in its folder: "
       "<code>scores.json</code> has all figures, and what the run cost in time and memory, which this page leaves out "
-      "so "
-      "that the same run makes the same page; <code>{}</code> has every setting. The page asks for nothing from "
-      "outside "
-      "and may be sent alone.</p>\n",
-      html_text(files.config_name));
+      "so that the same run makes the same page; <code>{}</code> has every setting. The page asks for nothing "
+      "from outside and may be sent alone.</p>\n",
+      markup_text(files.config_name));
   if (scripted) {
     html +=
         "<p>Curves are drawn with uPlot (MIT licence, &copy; Leon Sorokin); its notice stands in this page's "
@@ -117,7 +116,7 @@ std::string run_page(const RunFiles& files, const std::vector<PagePicture>& pict
   std::string body = "<main>\n";
   if (record.variants.empty()) {
     body += fmt::format("<header><h1>{}</h1><p>Nothing was measured: the readings hold no scan.</p></header>\n",
-                        html_text(record.scenario));
+                        markup_text(record.scenario));
     return html_document(record.scenario, body + about_section(files, false) + "</main>\n", {parts.style, {}, {}});
   }
   const std::size_t shown = first_shown(files.episode.runs);

@@ -9,6 +9,7 @@
 #include "eval/episode.hpp"
 #include "eval/page/html.hpp"
 #include "eval/page/score_words.hpp"
+#include "eval/report/markup.hpp"
 
 namespace cogslam {
 namespace {
@@ -36,11 +37,11 @@ std::string root_in_html(std::string_view key, const Json& value) {
 /// A score as people read it, HTML; nested ones as lines.
 std::string value_in_html(const Json& value) {
   if (value.is_null()) return kNotMeasured;
-  if (value.is_string()) return "<code>" + html_text(value.get<std::string>()) + "</code>";
+  if (value.is_string()) return "<code>" + markup_text(value.get<std::string>()) + "</code>";
   if (!value.is_object()) return number_in_text(value);
   std::string lines;
   for (const auto& [name, part] : value.items()) {
-    lines += fmt::format("<span class=\"part\"><i>{}</i> {}</span>", html_text(name), value_in_html(part));
+    lines += fmt::format("<span class=\"part\"><i>{}</i> {}</span>", markup_text(name), value_in_html(part));
   }
   return lines;
 }
@@ -52,7 +53,7 @@ Json scores_of(const RunRecord& record, std::size_t v) {
 std::string score_cell(const Json& scores, std::string_view key, std::size_t variant) {
   const Json& value = scores.at(std::string(key));
   return fmt::format("<td class=\"{}\" data-key=\"{}\" data-variant=\"{}\" data-value=\"{}\">{}{}</td>",
-                     value.is_number() || value.is_null() ? "number" : "words", key, variant, html_text(value.dump()),
+                     value.is_number() || value.is_null() ? "number" : "words", key, variant, markup_text(value.dump()),
                      value_in_html(value), root_in_html(key, value));
 }
 
@@ -85,7 +86,7 @@ std::string headline_cell(const Json& scores, const Headline& headline, std::siz
     sorted = fmt::format(" data-sort=\"{}\"", shown);
   }
   const std::string exact = *headline.derived != 0 ? fmt::format("data-derived=\"{}\"", headline.derived)
-                                                   : fmt::format("data-value=\"{}\"", html_text(value.dump()));
+                                                   : fmt::format("data-value=\"{}\"", markup_text(value.dump()));
   return fmt::format("<td class=\"number\" data-key=\"{}\" data-variant=\"{}\" {}{}>{}</td>", headline.key, variant,
                      exact, sorted, text);
 }
@@ -98,7 +99,7 @@ std::string kept_as(const VariantRecord& v) {
 
 std::string variant_head(const VariantRecord& v, std::size_t i) {
   return fmt::format("<tr data-variant=\"{}\"><th scope=\"row\">{}</th><td class=\"number\" data-sort=\"{}\">{}</td>",
-                     i, html_text(v.name), v.cell_size_m, v.cell_size_m);
+                     i, markup_text(v.name), v.cell_size_m, v.cell_size_m);
 }
 
 std::string percent_of(double part, double whole) { return fmt::format("{:.0f} %", 100.0 * part / whole); }
@@ -116,8 +117,8 @@ std::string headline_table(const RunRecord& record) {
   for (std::size_t i = 0; i < record.variants.size(); ++i) {
     const VariantRecord& v = record.variants[i];
     const Json scores = scores_of(record, i);
-    html +=
-        variant_head(v, i) + fmt::format("<td>{}</td><td class=\"number\">{}</td>", html_text(kept_as(v)), v.particles);
+    html += variant_head(v, i) +
+            fmt::format("<td>{}</td><td class=\"number\">{}</td>", markup_text(kept_as(v)), v.particles);
     for (const Headline& headline : kHeadlines) html += headline_cell(scores, headline, i);
     html += "</tr>\n";
   }
@@ -148,7 +149,7 @@ std::string explained_table(const RunRecord& record, std::size_t shown) {
       "<tr><th scope=\"col\">score</th><th scope=\"col\">value</th><th scope=\"col\">what it means</th><th "
       "scope=\"col\">"
       "what is good</th></tr></thead><tbody>\n",
-      html_text(label(record.variants[shown])));
+      markup_text(label(record.variants[shown])));
   for (const ScoreWords& words : score_words()) {
     const std::string unit = words.unit.empty() ? "" : fmt::format(" <span class=\"unit\">[{}]</span>", words.unit);
     html += fmt::format("<tr><th scope=\"row\">{}{}</th>{}<td>{}</td><td>{}</td></tr>\n", words.name, unit,
@@ -159,7 +160,7 @@ std::string explained_table(const RunRecord& record, std::size_t shown) {
 
 std::string score_summary(const VariantRecord& v) {
   const Scores& s = v.scores;
-  std::string text = fmt::format("<b>{}</b>", html_text(label(v)));
+  std::string text = fmt::format("<b>{}</b>", markup_text(label(v)));
   if (s.path_mse_m2) {
     text += fmt::format(" was {:.1f} cm from the true position (RMSE)", 100.0 * std::sqrt(*s.path_mse_m2));
     if (s.heading_mse_rad2)

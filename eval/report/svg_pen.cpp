@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "eval/report/chart_pen.hpp"
+#include "eval/report/markup.hpp"
 
 namespace cogslam {
 namespace {
@@ -11,22 +12,6 @@ std::string list(std::span<const Eigen::Vector2d> points) {
   std::string text;
   for (const Eigen::Vector2d& p : points) text += fmt::format("{}{:.2f},{:.2f}", text.empty() ? "" : " ", p.x(), p.y());
   return text;
-}
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
 }
 
 }  // namespace
@@ -65,7 +50,7 @@ void SvgPen::rectangle(double x, double y, double width, double height, Colour c
 void SvgPen::text(double x, double y, std::string_view text, TextAnchor anchor) {
   const char* name = anchor == TextAnchor::kLeft ? "start" : anchor == TextAnchor::kMiddle ? "middle" : "end";
   svg_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n", x, y + 0.85 * kLetterHeight,
-                      name, escaped(text));
+                      name, markup_text(text));
 }
 
 }  // namespace cogslam

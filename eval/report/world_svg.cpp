@@ -6,6 +6,7 @@
 
 #include "core/angle.hpp"
 #include "core/check.hpp"
+#include "eval/report/markup.hpp"
 #include "worlds/world_map.hpp"
 
 namespace cogslam {
@@ -13,26 +14,6 @@ namespace {
 
 constexpr double kMargin = 0.5;  // [m]
 constexpr char kSolid[] = "#c8c8c8";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 /// All loops as one path, so that one within another is a hole.
 std::string path_of(const std::vector<Polygon>& loops) {
@@ -88,7 +69,7 @@ std::string world_svg(const World& world, const std::string& title, double scale
       "  <defs><pattern id=\"hatch\" width=\"0.1\" height=\"0.1\" patternUnits=\"userSpaceOnUse\">"
       "<path d=\"M0 0L0.1 0.1\" stroke=\"#56b4e9\" stroke-width=\"0.02\"/></pattern></defs>\n"
       "  <rect x=\"{2:.10g}\" y=\"{3:.10g}\" width=\"{4:.10g}\" height=\"{5:.10g}\" fill=\"#ffffff\"/>\n",
-      1000.0 * size.x() / scale, 1000.0 * size.y() / scale, low.x(), -high.y(), size.x(), size.y(), escaped(title),
+      1000.0 * size.x() / scale, 1000.0 * size.y() / scale, low.x(), -high.y(), size.x(), size.y(), markup_text(title),
       scale);
   // The drawing's y runs down, the map's up.
   out += fmt::format(

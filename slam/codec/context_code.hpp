@@ -20,7 +20,7 @@ namespace cogslam {
 //   3. if not: its level          four bits, each by those before it and the cell above; in tiles with other levels
 //                                 than -5 to 8, eight bits of even chance
 //
-// The chances are the same for all tiles. They were learned from maps of the MIT CSAIL log and of the rooms
+// The chances are the same for all tiles. They were learned from maps of the MIT CSAIL log and of two rooms
 // (bench/tile_model), so they are nobody's own; a map of another kind takes more bytes, never other cells.
 
 /// The chances of every answer.

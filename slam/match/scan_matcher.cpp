@@ -65,6 +65,9 @@ Best search_coarse(Posterior& posterior, const Eigen::Matrix3d& covariance, cons
   return best;
 }
 
+/// Of a small motion [m].
+double length(const Eigen::Vector3d& v) { return v.cwiseProduct(Eigen::Vector3d(1.0, 1.0, kLever)).norm(); }
+
 /// A point of the climb, and the posterior about it.
 struct Place {
   Eigen::Vector3d v = Eigen::Vector3d::Zero();
@@ -81,14 +84,13 @@ Place place_at(Posterior& posterior, const Eigen::Vector3d& v) {
 
 /// A Newton step, shortened until it leads up; how far it led [m], 0 where no share of it leads up. Newton, because
 /// shift and turn are tied together where all surfaces lie ahead: steps along single axes stop on that ridge.
-double step_uphill(Posterior& posterior, Place& place, const Eigen::Vector3d& gradient,
-                   const Eigen::Matrix3d& information) {
-  const Eigen::Vector3d newton = information.ldlt().solve(gradient);
+double step_uphill(Posterior& posterior, Place& place) {
+  const Eigen::Vector3d newton = place.information.ldlt().solve(place.gradient);
   for (double share = 1.0; share > 0.1; share /= 2.0) {
     const Place next = place_at(posterior, place.v + share * newton);
     if (next.value <= place.value) continue;
     place = next;
-    return share * newton.cwiseProduct(Eigen::Vector3d(1.0, 1.0, kLever)).norm();
+    return share * length(newton);
   }
   return 0.0;
 }
@@ -96,7 +98,7 @@ double step_uphill(Posterior& posterior, Place& place, const Eigen::Vector3d& gr
 /// Climbs by the score's own fit; false when it stopped at the limit of steps.
 bool climb(Posterior& posterior, Place& place) {
   for (int round = 0; round < kClimbLimit; ++round) {
-    if (step_uphill(posterior, place, place.gradient, place.information) <= kStill) return true;
+    if (step_uphill(posterior, place) <= kStill) return true;
   }
   return false;
 }
@@ -134,8 +136,7 @@ ScanMatch match_scan(const PoseScore& score, const Pose2& predicted, const Eigen
   // across them, and is taken whether or not it leads up a bump.
   const PoseFit fit = fit_across_cells(posterior, place, config.coarse_step / 4.0);
   const Eigen::Vector3d last = fit.information.ldlt().solve(fit.gradient);
-  const bool near = last.cwiseProduct(Eigen::Vector3d(1.0, 1.0, kLever)).norm() <= config.coarse_step / 2.0;
-  if (near) place = place_at(posterior, place.v + last);
+  if (length(last) <= config.coarse_step / 2.0) place = place_at(posterior, place.v + last);
   return {.T_map_base = posterior.pose(place.v),
           .log_posterior = place.value,
           .covariance = fit_across_cells(posterior, place, config.coarse_step / 2.0).information.inverse(),

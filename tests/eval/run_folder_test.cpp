@@ -9,6 +9,7 @@
 
 #include "eval/new_folder.hpp"
 #include "tests/support/error_text.hpp"
+#include "tests/support/short_scenario.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace cogslam {
@@ -29,18 +30,7 @@ std::string content(const fs::path& file) {
 
 /// A drive of two seconds through a filter and a mapper.
 struct ShortRun {
-  Scenario scenario = read_scenario(ConfigSection::parse(R"(
-duration_s: 2
-world: {kind: simple}
-sensors: {camera: {enabled: false}, lidar: {beams: 61}}
-drive: {waypoints: [{x_m: 1, y_m: 0}]}
-slam: {particles: 3, cell_sizes_m: [0.5, 0.2]}
-variants:
-  - name: og
-  - {name: truth_og, true_poses: true}
-)",
-                                                         "short.yaml"),
-                                    "short");
+  Scenario scenario = short_scenario();
   Drive drive = record_drive(scenario);
   Workers workers{1};
   Episode episode = replay_variants(scenario.name, drive.recording, {.truth = &drive.truth}, scenario.variants,

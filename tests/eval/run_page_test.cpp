@@ -11,6 +11,8 @@
 #include "eval/page/player_data.hpp"
 #include "eval/page/score_tables.hpp"
 #include "eval/page/score_words.hpp"
+#include "eval/report/markup.hpp"
+#include "tests/support/short_scenario.hpp"
 
 namespace cogslam {
 namespace {
@@ -24,18 +26,7 @@ constexpr PageParts kParts{.style = "p { margin: 0; }\n", .script = "start();\n"
 /// A drive of two seconds through a filter and a mapper, both traced.
 struct TracedRun {
   explicit TracedRun(int threads = 1)
-      : scenario(read_scenario(ConfigSection::parse(R"(
-duration_s: 2
-world: {kind: simple}
-sensors: {camera: {enabled: false}, lidar: {beams: 61}}
-drive: {waypoints: [{x_m: 1, y_m: 0}]}
-slam: {particles: 4, cell_sizes_m: [0.5, 0.2]}
-variants:
-  - name: og
-  - {name: truth_og, true_poses: true}
-)",
-                                                    "short.yaml"),
-                               "short")),
+      : scenario(short_scenario()),
         drive(record_drive(scenario)),
         workers(threads),
         episode(replay_variants(scenario.name, drive.recording, {.truth = &drive.truth}, scenario.variants,
@@ -68,7 +59,7 @@ std::string script_of(const std::string& page, const std::string& id) {
 }
 
 TEST(HtmlText, EscapesAllThatHtmlReadsOtherwise) {
-  EXPECT_EQ(html_text("a<b>&\"c\"'d' \xC3\xA9"), "a&lt;b&gt;&amp;&quot;c&quot;&#39;d&#39; \xC3\xA9");
+  EXPECT_EQ(markup_text("a<b>&\"c\"'d' \xC3\xA9"), "a&lt;b&gt;&amp;&quot;c&quot;&#39;d&#39; \xC3\xA9");
 }
 
 TEST(HtmlDocument, ForbidsToFetchAnything) {

@@ -2,46 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "slam/true_pose_mapper.hpp"
-#include "tests/support/synthetic_log.hpp"
+#include "tests/support/slam_run.hpp"
 
 namespace cogslam {
 namespace {
-
-/// A filter for the room of the log, started at its first true pose.
-SlamConfig config_for(const SyntheticLog& log, int particles = 12) {
-  SlamConfig config;
-  config.particles = particles;
-  config.cell_size = 0.1;
-  config.area = Rectangle{{-3.5, -2.5}, {3.5, 2.5}};
-  config.start = log.truth.front();
-  config.likelihood.beams = 60;
-  return config;
-}
-
-struct Outcome {
-  std::vector<Pose2> online;
-  std::vector<RegisteredPose> path;
-  std::vector<bool> registered;
-  FilterStatistics statistics;
-  std::uint64_t hash = 0;
-  Grid<float> map;
-};
-
-Outcome run(const SlamConfig& config, const SyntheticLog& log, std::uint32_t seed = 1, int threads = 2) {
-  Workers workers(threads);
-  FastSlam filter(config, seed, workers);
-  Outcome outcome;
-  for (const Reading& reading : log.readings) {
-    outcome.registered.push_back(filter.update(reading));
-    outcome.online.push_back(filter.T_map_base());
-  }
-  outcome.path = filter.best_path();
-  outcome.statistics = filter.statistics();
-  outcome.hash = filter.state_hash();
-  outcome.map = filter.best_map();
-  return outcome;
-}
 
 double rms_distance(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
   double sum = 0.0;
@@ -54,29 +18,6 @@ std::vector<Pose2> odometry_of(const SyntheticLog& log) {
   for (std::size_t i = 1; i < log.readings.size(); ++i)
     path.push_back(path.back() * log.readings[i].motion.T_before_now);
   return path;
-}
-
-/// Every way to run the filter that changes which code is used.
-std::vector<std::pair<std::string, SlamConfig>> variants_for(const SyntheticLog& log) {
-  std::vector<std::pair<std::string, SlamConfig>> variants;
-  const auto add = [&](const std::string& name, auto&& change) {
-    SlamConfig config = config_for(log);
-    change(config);
-    variants.emplace_back(name, config);
-  };
-  add("as shipped", [](SlamConfig&) {});
-  add("motion proposal", [](SlamConfig& c) { c.proposal = Proposal::kMotion; });
-  add("beam model", [](SlamConfig& c) {
-    c.proposal = Proposal::kMotion;
-    c.likelihood.model = ScanModel::kBeam;
-  });
-  add("coefficients", [](SlamConfig& c) { c.store.kind = StoreKind::kCoefficients; });
-  add("unclamped", [](SlamConfig& c) { c.log_odds.clamped = false; });
-  add("last beam", [](SlamConfig& c) { c.log_odds.rule = CellRule::kLastBeam; });
-  add("no area", [](SlamConfig& c) { c.area.reset(); });
-  add("every step", [](SlamConfig& c) { c.resampling.every_step = true; });
-  add("no compass", [](SlamConfig& c) { c.compass.used = false; });
-  return variants;
 }
 
 TEST(FastSlam, GivesTheSameStateForAnyNumberOfThreadsAndInEachRun) {
@@ -180,17 +121,6 @@ TEST(FastSlam, MovesOnByItsOdometryBetweenRegisteredScans) {
   }
 }
 
-TEST(FastSlam, ResamplesAtEveryStepOnlyWhereToldSo) {
-  const SyntheticLog log = drive_round(30, 8, 60);
-  SlamConfig config = config_for(log);
-  config.resampling.every_step = true;
-  const Outcome always = run(config, log);
-  EXPECT_EQ(always.statistics.resamplings, always.statistics.registered);
-  config.resampling.every_step = false;
-  config.resampling.effective_share = 1e-6;  // N_eff is never so low
-  EXPECT_EQ(run(config, log).statistics.resamplings, 0);
-}
-
 TEST(FastSlam, TakesNearlyTheSamePathWithAllCoefficients) {
   const SyntheticLog log = drive_round(40, 9);
   SlamConfig config = config_for(log);
@@ -217,89 +147,6 @@ TEST(FastSlam, LetsLogOddsGrowWithoutTheClamp) {
   const Grid<float> unclamped = run(config, log).map;
   EXPECT_GT(largest(unclamped), config.log_odds.max);
   EXPECT_LT(least(unclamped), config.log_odds.min);
-}
-
-/// The best particle of the first weighing has at least the mean weight, so it draws a slot: resampling must not change
-/// what is reported.
-TEST(FastSlam, ReportsTheSameBestParticleAfterResampling) {
-  const SyntheticLog log = drive_round(10, 14, 60);
-  SlamConfig config = config_for(log);
-  config.proposal = Proposal::kMotion;  // spreads particles and weights
-  for (std::uint32_t seed = 1; seed <= 8; ++seed) {
-    config.resampling = {.effective_share = 1e-6, .every_step = false};
-    const Outcome never = run(config, log, seed);
-    config.resampling.every_step = true;
-    const Outcome always = run(config, log, seed);
-    std::size_t second = 1;
-    while (!never.registered[second]) ++second;
-    EXPECT_EQ(always.online[second], never.online[second]) << "seed " << seed;
-  }
-}
-
-/// Scans that say nothing leave the maps empty; what grows then is the path tree, of which branches without a living
-/// particle must be dropped.
-TEST(FastSlam, DropsPathsThatNoParticleFollows) {
-  SyntheticLog log = drive_round(80, 15, 4);
-  for (Reading& reading : log.readings) reading.scan->ranges.assign(4, Scan::kInvalid);
-  SlamConfig config = config_for(log, 20);
-  config.proposal = Proposal::kMotion;
-  config.compass.noise = 0.005;  // chooses hard
-  config.resampling.every_step = true;
-  const FilterStatistics statistics = run(config, log).statistics;
-  ASSERT_GT(statistics.registered, 30);
-  const double growth = 20.0 * (statistics.bytes_peak - static_cast<double>(sizeof(Particle)));
-  const double all_poses = 20.0 * static_cast<double>(statistics.registered) * sizeof(RegisteredPose);
-  EXPECT_LT(growth, all_poses / 4.0);  // a fifth here, spare room included; a third and more where inner branches stay
-  EXPECT_EQ(statistics.payload_bytes, 0.0);
-}
-
-TEST(FastSlam, SharesMapsBetweenParticles) {
-  const SyntheticLog log = drive_round(30, 11, 60);
-  SlamConfig config = config_for(log);
-  config.loops.waiting_scans = 3;
-  const FilterStatistics statistics = run(config, log).statistics;
-  const double whole = 4.0 * static_cast<double>(config_for(log).map_frame()->size());
-  EXPECT_GT(statistics.payload_bytes, 0.0);
-  EXPECT_LT(statistics.payload_bytes, whole);
-  EXPECT_GT(statistics.bytes, statistics.payload_bytes);
-  EXPECT_GE(statistics.bytes_peak, statistics.bytes);
-  EXPECT_FALSE(statistics.ancestors_100.has_value());
-}
-
-TEST(FastSlam, CountsAncestorsAHundredScansBack) {
-  const SyntheticLog log = drive_round(110, 12, 30);
-  SlamConfig config = config_for(log, 6);
-  config.registration.distance = 0.01;
-  config.likelihood.beams = 20;
-  const Outcome got = run(config, log);
-  ASSERT_GT(got.statistics.registered, 100);
-  ASSERT_TRUE(got.statistics.ancestors_100.has_value());
-  EXPECT_GE(*got.statistics.ancestors_100, 1.0);
-  EXPECT_LE(*got.statistics.ancestors_100, 6.0);
-  config.resampling.effective_share = 1e-6;
-  EXPECT_EQ(run(config, log).statistics.ancestors_100, 6.0);
-}
-
-/// The filter's own map is what the mapper makes of the filter's own path, cell by cell, when nothing is resampled.
-TEST(TruePoseMapper, MakesTheFiltersMapFromTheFiltersPath) {
-  const SyntheticLog log = drive_round(60, 13);
-  for (const auto& [name, varied] : variants_for(log)) {
-    SlamConfig config = varied;
-    config.particles = 1;
-    config.tracker.used = false;  // the mapper registers by odometry
-    const Outcome filter = run(config, log);
-    TruePoseMapper mapper(config);
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < log.readings.size(); ++i) {
-      const bool registered = next < filter.path.size() && filter.path[next].record == i;
-      const Pose2 T_map_base = registered ? filter.path[next++].T_map_base : Pose2{};
-      EXPECT_EQ(mapper.update(log.readings[i], T_map_base), registered) << name;
-    }
-    EXPECT_EQ(mapper.map(), filter.map) << name;
-    EXPECT_EQ(mapper.statistics().registered, filter.statistics.registered);
-    EXPECT_EQ(mapper.statistics().tracked, filter.statistics.tracked);
-    EXPECT_EQ(mapper.statistics().payload_bytes, filter.statistics.payload_bytes) << name;
-  }
 }
 
 }  // namespace

@@ -1,22 +1,11 @@
 #include <gmock/gmock.h>
 
-#include "slam/fast_slam.hpp"
-#include "tests/support/synthetic_log.hpp"
+#include "tests/support/slam_run.hpp"
 
 // Scans that wait, and the maps without them.
 
 namespace cogslam {
 namespace {
-
-SlamConfig config_for(const SyntheticLog& log) {
-  SlamConfig config;
-  config.particles = 4;
-  config.cell_size = 0.1;
-  config.area = Rectangle{{-3.5, -2.5}, {3.5, 2.5}};
-  config.start = log.truth.front();
-  config.likelihood.beams = 60;
-  return config;
-}
 
 /// What the path says the map is: every registered scan written at its pose.
 Grid<float> map_of(const std::vector<RegisteredPose>& path, const SyntheticLog& log, const SlamConfig& config) {
@@ -31,7 +20,7 @@ Grid<float> map_of(const std::vector<RegisteredPose>& path, const SyntheticLog& 
 TEST(FastSlam, ReportsAMapThatHoldsTheScansWhichStillWait) {
   const SyntheticLog log = drive_round(90, 21);
   for (const int waiting : {0, 1, 5, 1000}) {
-    SlamConfig config = config_for(log);
+    SlamConfig config = config_for(log, 4);
     config.loops.waiting_scans = waiting;
     Workers workers(2);
     FastSlam filter(config, 1, workers);
@@ -43,7 +32,7 @@ TEST(FastSlam, ReportsAMapThatHoldsTheScansWhichStillWait) {
 
 TEST(FastSlam, KeepsScansThatWaitOutOfTheMaps) {
   const SyntheticLog log = drive_round(60, 22);
-  SlamConfig config = config_for(log);
+  SlamConfig config = config_for(log, 4);
   config.loops.waiting_scans = 1000;
   Workers workers(2);
   FastSlam filter(config, 1, workers);
@@ -55,7 +44,7 @@ TEST(FastSlam, KeepsScansThatWaitOutOfTheMaps) {
 /// Where a loop closes, the scans that wait move along: their poses on the path stay as tracking tied them.
 TEST(FastSlam, MovesWaitingScansWithAClosedLoop) {
   const SyntheticLog log = drive_round(140, 23);
-  SlamConfig config = config_for(log);
+  SlamConfig config = config_for(log, 4);
   config.particles = 1;
   config.registration.distance = 0.15;
   config.loops = {.waiting_scans = 4, .drift_position = 0.5, .drift_heading = 0.3, .least_way = 3.0};

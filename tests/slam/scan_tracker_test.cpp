@@ -67,6 +67,18 @@ TEST(ScanTracker, StatesACovarianceThatHoldsItsErrors) {
   EXPECT_GT(squares / kRounds, 3.0 * 0.02);
 }
 
+TEST(ScanTracker, SpreadsMotionByAShareOfItsCovarianceAndALeast) {
+  Drive drive(81);
+  const TrackerConfig config{.spread = 0.4, .spread_position = 0.01, .spread_heading = 0.02};
+  ScanTracker tracker(config, SweepConfig{});
+  tracker.follow(drive.reading({-1.2, -0.9, 0.4}, {}));
+  tracker.make_key();
+  tracker.follow(drive.reading({-1.1, -0.9, 0.4}, {0.1, 0.0, 0.0}));
+  const Eigen::Matrix3d least = Eigen::Vector3d(1e-4, 1e-4, 4e-4).asDiagonal();
+  EXPECT_TRUE(tracker.spread().isApprox(0.16 * tracker.covariance() + least, 1e-12)) << tracker.spread();
+  EXPECT_GT(tracker.covariance()(0, 0), 0.0);
+}
+
 /// What real logs do: a record comes late, and the next makes up for it.
 TEST(ScanTracker, FollowsScansWhereOdometryLagsAStepBehind) {
   Drive drive(81);
