@@ -21,6 +21,7 @@ enum class Purpose : std::uint32_t {
   kProposal = 11,
   kCameraLight = 12,
   kCompression = 13,
+  kBootstrap = 14,
 };
 
 /// Names one stream. Keys that differ in any field give independent draws, so adding a draw in

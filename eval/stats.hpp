@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 
 namespace cogslam {
@@ -17,6 +19,27 @@ struct MeanInterval {
 
 /// Of at least one value; summed in the given order.
 MeanInterval mean_interval(std::span<const double> values);
+
+/// An interval that need not be symmetric.
+struct Interval {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// The 95 % percentile bootstrap interval of the mean: of `resamples` samples drawn with replacement (Efron and
+/// Tibshirani 1993, 13.3). At least one value; the same values and seed give the same interval. Below about ten values
+/// it is too narrow: trust Student's t there.
+Interval bootstrap_mean(std::span<const double> values, std::uint32_t seed = 1, std::size_t resamples = 2000);
+
+/// Values measured under the same conditions, one under each of two treatments: common random numbers.
+struct PairedComparison {
+  MeanInterval difference{};            ///< of value - reference, with Student's t
+  Interval bootstrap{};                 ///< of its mean
+  std::optional<double> correlation{};  ///< Pearson's; nothing where either does not vary
+};
+
+/// Of as many `values` as `references`, at least one pair, in the same order.
+PairedComparison compare_pairs(std::span<const double> values, std::span<const double> references);
 
 /// The middle value (the mean of the two in the middle for an even count), of at least one value.
 double median(std::span<const double> values);
