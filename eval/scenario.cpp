@@ -21,17 +21,6 @@ Rectangle map_area(const World& world, double margin) {
   return area;
 }
 
-/// A name that files can be called by.
-void read_name(ConfigSection& section, std::string& name) {
-  section.read("name", name);
-  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
-  });
-  if (!plain || name.empty() || name.front() == '.' || name.size() > kLongestName) {
-    section.fail("name", "name: expected letters, digits, '_', '-' and '.', at most 100, found '" + name + "'");
-  }
-}
-
 std::vector<double> read_cell_sizes(ConfigSection& section, double usual) {
   std::vector<double> sizes{usual};
   section.read("cell_sizes_m", sizes, {0.005, 100.0});
@@ -64,6 +53,25 @@ void check_room_to_stand(const Scenario& scenario, ConfigSection& file) {
   }
 }
 
+/// A room of 30 m beams: nothing in it is too far to be trusted.
+SlamConfig room_defaults() {
+  SlamConfig slam;
+  slam.sweep.carve_no_return = false;
+  return slam;
+}
+
+}  // namespace
+
+void read_name(ConfigSection& section, std::string& name) {
+  section.read("name", name);
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+  });
+  if (!plain || name.empty() || name.front() == '.' || name.size() > kLongestName) {
+    section.fail("name", "name: expected letters, digits, '_', '-' and '.', at most 100, found '" + name + "'");
+  }
+}
+
 VariantConfig read_variant(ConfigSection section, const SlamConfig& base) {
   VariantConfig variant{.name = "variant", .slam = base};
   read_name(section, variant.name);
@@ -73,15 +81,6 @@ VariantConfig read_variant(ConfigSection section, const SlamConfig& base) {
   check_slam(section, "slam", variant.slam);
   return variant;
 }
-
-/// A room of 30 m beams: nothing in it is too far to be trusted.
-SlamConfig room_defaults() {
-  SlamConfig slam;
-  slam.sweep.carve_no_return = false;
-  return slam;
-}
-
-}  // namespace
 
 std::vector<VariantConfig> read_variants(ConfigSection& file, const SlamConfig& base) {
   ConfigSection section = file.section("slam");
@@ -140,6 +139,9 @@ Scenario read_scenario(ConfigSection file, const std::string& default_name) {
   base.start = scenario.world.start;
   base.area = map_area(scenario.world, margin);
   scenario.variants = read_variants(file, base);
+  scenario.slam = base;
+  ConfigSection slam = file.section("slam");
+  read_slam_config(slam, scenario.slam);
   file.finish();
   scenario.resolved = file.resolved();
   return scenario;

@@ -34,6 +34,7 @@ struct Scenario {
   SensorSuiteConfig sensors{};
   FloorCameraConfig camera{};
   OdometryConfig odometry{};
+  SlamConfig slam{};                    ///< what every variant starts from
   std::vector<VariantConfig> variants;  ///< every variant at every cell size; the first dense one is the baseline
   std::string resolved;                 ///< the file with every default filled in
 };
@@ -44,6 +45,12 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 /// Throws InputError with file:line:column for anything that is not right.
 Scenario load_scenario(const std::filesystem::path& file, const Overrides& overrides = {});
 Scenario read_scenario(ConfigSection file, const std::string& default_name);
+
+/// Reads `name`, something that files can be called by: letters, digits, '_', '-' and '.', at most 100.
+void read_name(ConfigSection& section, std::string& name);
+
+/// One entry of `variants:`, over what it starts from; its cell size is that of `base`.
+VariantConfig read_variant(ConfigSection section, const SlamConfig& base);
 
 /// Reads `slam:` and `variants:` of a file: each variant starts from the `slam:` section and changes parts of it, and
 /// runs at each of `slam.cell_sizes_m`. `base` holds what the caller knows (area, start, defaults of its sensor).
