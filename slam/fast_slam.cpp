@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "core/check.hpp"
 #include "slam/resampling.hpp"
@@ -15,6 +14,7 @@ FastSlam::FastSlam(const SlamConfig& config, std::uint32_t seed, Workers& worker
       seed_(seed),
       workers_(workers),
       meter_(std::make_shared<MemoryMeter>()),
+      paths_(static_cast<std::size_t>(config.particles)),
       motion_(config.motion),
       drift_(config.loops),
       waiting_(config.tracks() ? config.loops.waiting_scans : 0) {
@@ -60,9 +60,9 @@ void FastSlam::follow(const Reading& reading) {
 void FastSlam::step(const Reading& reading) {
   sweep_ = sweep_of(reading, config_.sweep);
   probes_ = map_workers_[0]->likelihood().probes_of(sweep_);
-  waiting_.add(reading);
-  entering_ = waiting_.ripe() ? sweep_of(waiting_.oldest(), config_.sweep) : std::vector<Beam>{};
   spread_motion();
+  waiting_.add(records_, reading);
+  entering_ = waiting_.ripe() ? sweep_of(waiting_.oldest().reading, config_.sweep) : std::vector<Beam>{};
   workers_.for_each(particles_.size(), [&](std::size_t p, int worker) {  // (3) for p = 1..n
     advance(particles_[p], p, reading, *map_workers_[static_cast<std::size_t>(worker)]);
   });
@@ -88,12 +88,11 @@ void FastSlam::spread_motion() {
 /// Asked of the best particle for all: their paths differ by less than sight reaches. Walks its whole path, which costs
 /// far less than one particle's match.
 bool FastSlam::old_map_in_sight() const {
-  const Pose2 now = best().T_map_base * motion_.T_last_now();
-  auto registered = static_cast<std::size_t>(statistics_.registered);
-  for (PathTree::Node node = best().node; node != PathTree::kRoot; node = paths_.ancestor(node, 1)) {
-    const Pose2& then = paths_.pose(node).T_map_base;
-    const bool near = std::hypot(then.x - now.x, then.y - now.y) < config_.loops.sight;
-    if (drift_.is_old(--registered) && near) return true;
+  const Pose2 now = T_map_base();
+  const std::vector<RegisteredPose> path = best_path();
+  for (std::size_t i = 0; i < path.size() && drift_.is_old(i); ++i) {
+    const Pose2& then = path[i].T_map_base;
+    if (std::hypot(then.x - now.x, then.y - now.y) < config_.loops.sight) return true;
   }
   return false;
 }
@@ -112,22 +111,20 @@ void FastSlam::advance(Particle& particle, std::size_t slot, const Reading& read
         compass_log_likelihood(*reading.heading, particle.T_map_base.theta, config_.compass, particle.compass_bias);
   }
   particle.path_log_weight += particle.log_weight - before;
-  if (waiting_.ripe()) worker.write(particle.map, entering_, T_map_entering(particle));  // (7), (8)
-}
-
-/// Where the scan that enters the map was taken, on this particle's path.
-Pose2 FastSlam::T_map_entering(const Particle& particle) const {
-  const auto back = static_cast<int>(waiting_.size());
-  if (back == 0) return particle.T_map_base;
-  return particle.T_closed_open * paths_.pose(paths_.ancestor(particle.node, back - 1)).T_map_base;
+  if (!waiting_.ripe()) {
+    particle.waiting.add(particle.T_map_base);
+    return;
+  }
+  particle.entering = particle.waiting.exchange(particle.T_map_base);
+  worker.write(particle.map, entering_, particle.entering.pose());  // (7), (8)
 }
 
 /// (5): the window that the scan can touch from poses up to `margin_cells` away, and the scan that enters.
 void FastSlam::load_around(const Pose2& T_map_base, const Particle& particle, int margin_cells,
                            MapWorker& worker) const {
   CellWindow window = window_of(sweep_, T_map_base, config_.cell_size).grown(margin_cells);
-  if (waiting_.ripe() && waiting_.size() > 0) {
-    window = hull(window, window_of(entering_, T_map_entering(particle), config_.cell_size));
+  if (waiting_.ripe() && particle.waiting.size() > 0) {
+    window = hull(window, window_of(entering_, particle.waiting[0], config_.cell_size));
   }
   worker.load(particle.map, window);
 }
@@ -163,7 +160,9 @@ void FastSlam::propose_by_match(Particle& particle, Rng& rng, MapWorker& worker)
   const double log_evidence =
       match.log_posterior + 0.5 * std::log(match.covariance.determinant() / spread_.determinant());
   particle.log_weight += log_evidence / sharpness;
-  particle.T_closed_open = drift_.closes_loop() ? particle.T_map_base * predicted.inverse() : Pose2{};
+  if (drift_.closes_loop()) {  // what waits was tracked from here, and moves along
+    particle.waiting.move(particle.T_map_base * predicted.inverse());
+  }
 }
 
 /// How far end points move when the search, and the draw after it, go to their limits.
@@ -177,13 +176,10 @@ int FastSlam::search_margin_cells() const {
 }
 
 void FastSlam::record_paths() {
-  for (Particle& particle : particles_) {
-    if (drift_.closes_loop()) {  // what waits was tracked from here, and moves along
-      particle.node = paths_.moved(particle.node, static_cast<int>(waiting_.size()), particle.T_closed_open);
-    }
-    const PathTree::Node leaf = paths_.append(particle.node, {records_, particle.T_map_base});
-    paths_.release(particle.node);
-    particle.node = leaf;
+  if (waiting_.ripe()) {
+    std::vector<StoredPose> entering;
+    for (const Particle& particle : particles_) entering.push_back(particle.entering);
+    paths_.append(waiting_.oldest().record, entering);
   }
   choose_best();
 }
@@ -211,19 +207,20 @@ void FastSlam::resample_if_due() {
   for (const std::size_t j : chosen) {
     next.push_back(particles_[j]);  // shares the map
     next.back().log_weight = 0.0;
-    paths_.hold(particles_[j].node);
   }
-  for (const Particle& particle : particles_) paths_.release(particle.node);
   particles_ = std::move(next);
+  paths_.resample(chosen);
   choose_best();  // the best so far may have drawn no slot: report the best that lives on
   ++statistics_.resamplings;
 }
 
 void FastSlam::account() {
   const auto n = static_cast<double>(particles_.size());
-  const double fixed = static_cast<double>(paths_.bytes() + waiting_.bytes() + drift_.bytes()) + n * sizeof(Particle);
+  std::int64_t fixed = paths_.bytes() + waiting_.bytes() + drift_.bytes();
+  for (const Particle& particle : particles_)
+    fixed += static_cast<std::int64_t>(sizeof(Particle)) + particle.waiting.bytes();
   const double payload = static_cast<double>(meter_->payload()) / n;
-  const double all_in = (static_cast<double>(meter_->total()) + fixed) / n;
+  const double all_in = static_cast<double>(meter_->total() + fixed) / n;
   const auto count = static_cast<double>(++statistics_.registered);
   statistics_.payload_bytes += (payload - statistics_.payload_bytes) / count;
   statistics_.bytes += (all_in - statistics_.bytes) / count;
@@ -242,15 +239,17 @@ std::vector<Pose2> FastSlam::cloud() const {
   return poses;
 }
 
-std::vector<RegisteredPose> FastSlam::best_path() const { return paths_.path_to(best().node); }
+std::vector<RegisteredPose> FastSlam::best_path() const {
+  std::vector<RegisteredPose> path = paths_.path_of(best_);
+  for (std::size_t i = 0; i < waiting_.size(); ++i) path.push_back({waiting_[i].record, best().waiting[i]});
+  return path;
+}
 
 Grid<float> FastSlam::best_map() const {
   MapStore map = best().map;  // shares all that the waiting scans do not touch
   MapWorker worker(config_);
-  const std::vector<RegisteredPose> path = best_path();
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
-    const Pose2& T_map_base = path[path.size() - waiting_.size() + i].T_map_base;
-    worker.write(map, sweep_of(waiting_[i], config_.sweep), T_map_base);
+    worker.write(map, sweep_of(waiting_[i].reading, config_.sweep), best().waiting[i]);
   }
   MapScratch scratch;
   const auto area = config_.map_frame();
@@ -261,10 +260,9 @@ Grid<float> FastSlam::best_map() const {
 FilterStatistics FastSlam::statistics() const {
   FilterStatistics statistics = statistics_;
   constexpr int kBack = 100;
-  if (statistics.registered > kBack) {
-    std::set<PathTree::Node> ancestors;
-    for (const Particle& particle : particles_) ancestors.insert(paths_.ancestor(particle.node, kBack));
-    statistics.ancestors_100 = static_cast<double>(ancestors.size());
+  const auto waiting = static_cast<int>(waiting_.size());  // not in the tree
+  if (statistics.registered > kBack && waiting <= kBack) {
+    statistics.ancestors_100 = static_cast<double>(paths_.ancestors(static_cast<std::size_t>(kBack - waiting)));
   }
   return statistics;
 }

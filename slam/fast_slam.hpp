@@ -8,6 +8,7 @@
 #include "slam/loop_drift.hpp"
 #include "slam/map_worker.hpp"
 #include "slam/particle.hpp"
+#include "slam/path_tree.hpp"
 #include "slam/slam_config.hpp"
 #include "slam/waiting_scans.hpp"
 
@@ -52,7 +53,6 @@ class FastSlam {
   void propose_by_match(Particle& particle, Rng& rng, MapWorker& worker) const;
   void load_around(const Pose2& T_map_base, const Particle& particle, int margin_cells, MapWorker& worker) const;
   [[nodiscard]] int search_margin_cells() const;
-  [[nodiscard]] Pose2 T_map_entering(const Particle& particle) const;
   void record_paths();
   void choose_best();
   void resample_if_due();

@@ -22,8 +22,8 @@ struct FilterStatistics {
   double bytes = 0.0;          ///< all-in: headers, directories, heap padding, pose and path tree; mean
   double bytes_peak = 0.0;
   LastScan last{};
-  std::optional<double>
-      ancestors_100;  ///< distinct ancestors 100 registered scans back, at the end; nothing: too short
+  std::optional<double> ancestors_100;  ///< distinct ancestors 100 registered scans back, at the end; nothing: too
+                                        ///< short a path, or more than 100 scans wait
 };
 
 }  // namespace cogslam

@@ -2,7 +2,7 @@
 
 #include "core/pose2.hpp"
 #include "slam/map/store.hpp"
-#include "slam/path_tree.hpp"
+#include "slam/waiting_poses.hpp"
 #include "slam/weight/compass_likelihood.hpp"
 
 namespace cogslam {
@@ -12,8 +12,8 @@ struct Particle {
   Pose2 T_map_base{};
   double log_weight = 0.0;       ///< since the last resampling
   double path_log_weight = 0.0;  ///< since the start, along its path
-  PathTree::Node node = PathTree::kRoot;
-  Pose2 T_closed_open{};  ///< what closing a loop moves by: identity but where one closes
+  WaitingPoses waiting{};        ///< of the scans that are not in the map yet
+  StoredPose entering{};         ///< of the scan that enters the map in this step, if one is due
   CompassBias compass_bias{};
   MapStore map;  ///< shared with other particles until one of them writes
 };

@@ -2,50 +2,58 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "slam/registered_pose.hpp"
+#include "slam/stored_pose.hpp"
 
 namespace cogslam {
 
-/// The paths of all particles: they share their past, so it is a tree that grows at its leaves. Branches without a
-/// living particle are dropped, and their nodes used again.
+/// The paths of all particles. They share their past: each pose is kept once for all paths through it, and poses that
+/// no path goes through are dropped.
+///
+/// A generation holds the different poses of one registered scan. Far enough back there is one only, which all paths
+/// share: the trunk.
 class PathTree {
  public:
-  using Node = std::int32_t;
-  static constexpr Node kRoot = -1;  ///< before the first registered pose
+  explicit PathTree(std::size_t particles) : leaves_(particles, 0) {}
 
-  /// A new leaf after `parent`, held by the caller until `release`; `parent` stays held too.
-  Node append(Node parent, const RegisteredPose& pose);
-  void hold(Node node);
-  void release(Node node);
-  /// The path of `leaf` with its last `steps` poses moved, T * pose, as a new leaf that takes over the caller's hold.
-  /// A shorter path is moved as a whole. Paths that share those poses keep theirs.
-  [[nodiscard]] Node moved(Node leaf, int steps, const Pose2& T);
+  /// Every path goes on: one pose for each particle, in the order of their slots. Records are below 2^32.
+  void append(std::size_t record, std::span<const StoredPose> T_map_base);
+  /// The particle in slot i goes on with the path of the one that was in slot chosen[i].
+  void resample(std::span<const std::size_t> chosen);
 
-  /// The path that ends in `node`, oldest pose first.
-  [[nodiscard]] std::vector<RegisteredPose> path_to(Node node) const;
-  /// Of a node that is not kRoot.
-  [[nodiscard]] const RegisteredPose& pose(Node node) const { return entries_[static_cast<std::size_t>(node)].pose; }
-  /// The node `steps` poses before, or kRoot where the path is shorter.
-  [[nodiscard]] Node ancestor(Node node, int steps) const;
-  /// Bytes held, nodes to be used again and spare room included.
-  [[nodiscard]] std::int64_t bytes() const {
-    return static_cast<std::int64_t>(entries_.capacity() * sizeof(Entry) + free_.capacity() * sizeof(Node));
-  }
-  /// Nodes of living paths.
-  [[nodiscard]] std::size_t alive() const { return alive_; }
+  /// Poses of each path.
+  [[nodiscard]] std::size_t length() const { return trunk_.size() + generations_.size(); }
+  /// A particle's path, oldest pose first.
+  [[nodiscard]] std::vector<RegisteredPose> path_of(std::size_t slot) const;
+  /// How many different poses the paths have `steps` before their last one; `steps` below `length`.
+  [[nodiscard]] std::size_t ancestors(std::size_t steps) const;
+  /// Poses held, each counted once.
+  [[nodiscard]] std::size_t poses() const;
+  /// Bytes held, spare room included.
+  [[nodiscard]] std::int64_t bytes() const;
 
  private:
-  struct Entry {
-    RegisteredPose pose;
-    Node parent = kRoot;
-    std::int32_t holders = 0;  ///< particles and children
+  struct TrunkPose {
+    StoredPose T_map_base;
+    std::uint32_t record;
   };
+  struct Branch {
+    StoredPose T_map_base;
+    std::uint32_t parent;  ///< its place in the generation before
+  };
+  struct Generation {
+    std::uint32_t record;
+    std::vector<Branch> branches;
+  };
+  void drop_unused();
+  void grow_trunk();
 
-  std::vector<Entry> entries_;
-  std::vector<Node> free_;
-  std::size_t alive_ = 0;
+  std::vector<TrunkPose> trunk_;
+  std::vector<Generation> generations_;
+  std::vector<std::uint32_t> leaves_;  ///< of each particle: its place in the last generation
 };
 
 }  // namespace cogslam

@@ -1,11 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 
 #include "sensors/readings.hpp"
 
 namespace cogslam {
+
+/// A registered scan that no map holds yet.
+struct WaitingScan {
+  std::size_t record = 0;  ///< of the log
+  Reading reading{};
+};
 
 /// The last registered scans, which no map holds yet. Tracking has matched each scan with those before it, so a map
 /// that held them would only repeat its word; a map without them speaks of older times, and a loop is closed before it
@@ -16,27 +23,27 @@ class WaitingScans {
 
   /// Takes the next registered scan. The oldest may enter the maps once more than `count` are here; it goes at the next
   /// call.
-  void add(const Reading& reading) {
+  void add(std::size_t record, const Reading& reading) {
     if (ripe()) scans_.pop_front();
-    scans_.push_back(reading);
+    scans_.push_back({record, reading});
   }
   [[nodiscard]] bool ripe() const { return scans_.size() > count_; }
-  [[nodiscard]] const Reading& oldest() const { return scans_.front(); }
+  [[nodiscard]] const WaitingScan& oldest() const { return scans_.front(); }
   /// Those that stay out of the maps for now, oldest first.
   [[nodiscard]] std::size_t size() const { return scans_.size() - (ripe() ? 1 : 0); }
-  [[nodiscard]] const Reading& operator[](std::size_t i) const { return scans_[i + (ripe() ? 1 : 0)]; }
+  [[nodiscard]] const WaitingScan& operator[](std::size_t i) const { return scans_[i + (ripe() ? 1 : 0)]; }
 
   [[nodiscard]] std::int64_t bytes() const {
     std::size_t sum = 0;
-    for (const Reading& reading : scans_) {
-      sum += sizeof(Reading) + (reading.scan ? reading.scan->ranges.capacity() * sizeof(float) : 0);
+    for (const auto& [record, reading] : scans_) {
+      sum += sizeof(WaitingScan) + (reading.scan ? reading.scan->ranges.capacity() * sizeof(float) : 0);
     }
     return static_cast<std::int64_t>(sum);
   }
 
  private:
   std::size_t count_;
-  std::deque<Reading> scans_;
+  std::deque<WaitingScan> scans_;
 };
 
 }  // namespace cogslam

@@ -84,20 +84,20 @@ TEST(LoopDrift, CallsAPlaceOldAfterEnoughTravelNotDistance) {
 TEST(WaitingScans, LetTheOldestGoOnceMoreThanTheCountAreThere) {
   WaitingScans waiting(3);
   for (std::uint64_t i = 0; i < 10; ++i) {
-    waiting.add({.sequence = i});
+    waiting.add(i, {.sequence = i});
     EXPECT_EQ(waiting.ripe(), i >= 3);
     EXPECT_EQ(waiting.size(), std::min<std::size_t>(i + 1, 3));
-    if (waiting.ripe()) EXPECT_EQ(waiting.oldest().sequence, i - 3);
-    for (std::size_t k = 0; k < waiting.size(); ++k) EXPECT_EQ(waiting[k].sequence, i + 1 + k - waiting.size());
+    if (waiting.ripe()) EXPECT_EQ(waiting.oldest().reading.sequence, i - 3);
+    for (std::size_t k = 0; k < waiting.size(); ++k) EXPECT_EQ(waiting[k].record, i + 1 + k - waiting.size());
   }
 }
 
 TEST(WaitingScans, DoNotWaitWhereNoneShall) {
   WaitingScans waiting(0);
   for (std::uint64_t i = 0; i < 5; ++i) {
-    waiting.add({.sequence = i});
+    waiting.add(i, {.sequence = i});
     EXPECT_TRUE(waiting.ripe());
-    EXPECT_EQ(waiting.oldest().sequence, i);
+    EXPECT_EQ(waiting.oldest().reading.sequence, i);
     EXPECT_EQ(waiting.size(), 0);
   }
 }
