@@ -25,7 +25,7 @@ constexpr double kOpen = 0.1;  // m
 
 /// One figure over the seeds.
 struct Column {
-  const char* name;
+  std::string name;
   int digits;
   std::vector<double> values{};
 
@@ -37,6 +37,34 @@ struct Column {
   }
 };
 
+std::vector<Column> empty_columns() {
+  std::vector<Column> columns{{"local [m]", 4},   {"local [deg]", 3},         {"global [m]", 4}, {"global [deg]", 3},
+                              {"CPU [s]", 1},     {"bytes all-in", 0},        {"payload", 0},    {"peak bytes", 0},
+                              {"resamplings", 0}, {"RSS above start [MB]", 1}};
+  for (std::size_t s = 0; s < kStages; ++s) {
+    columns.push_back({fmt::format("CPU {} [s]", name_of(static_cast<Stage>(s))), 2});
+  }
+  return columns;
+}
+
+/// In the order of the columns.
+std::vector<double> figures_of(const VariantRecord& record) {
+  const RelationErrors& errors = record.scores.relations_final.value();
+  const Scores& scores = record.scores;
+  std::vector<double> figures{errors.local.trans_mean,
+                              degrees(errors.local.rot_mean),
+                              errors.global.trans_mean,
+                              degrees(errors.global.rot_mean),
+                              record.costs.cpu_s.value(),
+                              scores.bytes.value(),
+                              scores.payload_bytes.value(),
+                              static_cast<double>(scores.bytes_peak.value()),
+                              static_cast<double>(scores.resamplings.value()),
+                              1e-6 * static_cast<double>(record.costs.rss_bytes_above_start.value_or(0))};
+  for (const double seconds : record.costs.cpu_stages_s.value()) figures.push_back(seconds);
+  return figures;
+}
+
 int run(const std::string& log, const std::string& relations_file, int first, int last, const std::string& store) {
   ConfigSection section = ConfigSection::parse("", "defaults");
   section.override_value("slam.store.kind", store);
@@ -44,28 +72,14 @@ int run(const std::string& log, const std::string& relations_file, int first, in
   const Recording recording = load_log(log, config.log);
   const std::vector<Relation> relations = read_relations(relations_file);
   Workers workers(1);
-  std::vector<Column> columns{{"local [m]", 4},   {"local [deg]", 3},         {"global [m]", 4}, {"global [deg]", 3},
-                              {"CPU [s]", 1},     {"bytes all-in", 0},        {"payload", 0},    {"peak bytes", 0},
-                              {"resamplings", 0}, {"RSS above start [MB]", 1}};
+  std::vector<Column> columns = empty_columns();
   int open = 0;
   for (int seed = first; seed <= last; ++seed) {
     const Episode episode = replay_variants(log_name(log), recording, {.relations = relations}, config.variants,
                                             static_cast<std::uint32_t>(seed), workers);
-    const VariantRecord& record = episode.runs.front().record;
-    const RelationErrors& errors = record.scores.relations_final.value();
-    const Scores& scores = record.scores;
-    const double figures[] = {errors.local.trans_mean,
-                              degrees(errors.local.rot_mean),
-                              errors.global.trans_mean,
-                              degrees(errors.global.rot_mean),
-                              record.costs.cpu_s.value(),
-                              scores.bytes.value(),
-                              scores.payload_bytes.value(),
-                              scores.bytes_peak.value(),
-                              static_cast<double>(scores.resamplings.value()),
-                              1e-6 * static_cast<double>(record.costs.rss_bytes_above_start.value_or(0))};
+    const std::vector<double> figures = figures_of(episode.runs.front().record);
     for (std::size_t i = 0; i < columns.size(); ++i) columns[i].values.push_back(figures[i]);
-    if (errors.global.trans_mean > kOpen) ++open;
+    if (figures[2] > kOpen) ++open;
     fmt::print("seed {:3}: local {:.4f} m, {:.3f} deg; global {:.4f} m, {:.3f} deg; {:.1f} s\n", seed, figures[0],
                figures[1], figures[2], figures[3], figures[4]);
     std::fflush(stdout);

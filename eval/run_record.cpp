@@ -70,9 +70,17 @@ Json scores(const Scores& s) {
           {"relations", {{"online", relations(s.relations_online)}, {"final", relations(s.relations_final)}}}};
 }
 
+Json stages(const std::optional<StageSeconds>& seconds) {
+  if (!seconds) return nullptr;
+  Json by_name = Json::object();
+  for (std::size_t s = 0; s < kStages; ++s) by_name[name_of(static_cast<Stage>(s))] = (*seconds)[s];
+  return by_name;
+}
+
 Json costs(const Costs& c) {
   return {{"cpu_s", or_null(c.cpu_s)},
           {"cpu_ms_per_registered", or_null(c.cpu_ms_per_registered)},
+          {"cpu_stages_s", stages(c.cpu_stages_s)},
           {"wall_s", or_null(c.wall_s)},
           {"rss_bytes_above_start", or_null(c.rss_bytes_above_start)}};
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "eval/metrics/relations.hpp"
+#include "eval/metrics/stage_times.hpp"
 
 // What a run is worth: the content of scores.json, schema 1. Nothing stands for "not measured" and is written as null,
 // never as 0; so is a number that is not finite. docs/metrics.md defines every figure.
@@ -52,6 +53,7 @@ struct Scores {
 struct Costs {
   std::optional<double> cpu_s;  ///< of the filter, all threads
   std::optional<double> cpu_ms_per_registered;
+  std::optional<StageSeconds> cpu_stages_s;  ///< of cpu_s, for each Stage; the rest is between stages
   std::optional<double> wall_s;
   std::optional<std::uint64_t> rss_bytes_above_start;
 };

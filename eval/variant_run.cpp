@@ -5,6 +5,7 @@
 #include "eval/metrics/map_error.hpp"
 #include "eval/metrics/path_completion.hpp"
 #include "eval/metrics/path_error.hpp"
+#include "eval/metrics/stage_times.hpp"
 #include "eval/metrics/timing.hpp"
 #include "slam/fast_slam.hpp"
 #include "slam/true_pose_mapper.hpp"
@@ -122,7 +123,8 @@ class Watch {
 
 void run_filter(const VariantConfig& variant, std::uint32_t seed, const Recording& recording, Workers& workers,
                 const Progress& progress, Watch& watch, VariantRun& run) {
-  FastSlam slam(variant.slam, seed, workers);
+  StageTimes times(workers.threads());
+  FastSlam slam(variant.slam, seed, workers, &times);
   std::vector<Pose2> odometry;
   const TraceRecorder::Belief belief{.cloud = [&] { return slam.cloud(); }, .map = [&] { return slam.best_map(); }};
   for (std::size_t i = 0; i < recording.readings.size(); ++i) {
@@ -136,6 +138,7 @@ void run_filter(const VariantConfig& variant, std::uint32_t seed, const Recordin
   }
   run.final = complete_path(odometry, slam.best_path());
   run.map = slam.best_map();
+  run.record.costs.cpu_stages_s = times.seconds();
   add_statistics(slam.statistics(), run.record.scores);
   run.record.scores.state_hash = Hash().add(slam.state_hash()).hex();
 }

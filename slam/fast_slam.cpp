@@ -9,10 +9,11 @@
 
 namespace cogslam {
 
-FastSlam::FastSlam(const SlamConfig& config, std::uint32_t seed, Workers& workers)
+FastSlam::FastSlam(const SlamConfig& config, std::uint32_t seed, Workers& workers, StageListener* listener)
     : config_(config),
       seed_(seed),
       workers_(workers),
+      stage_{.listener = listener},
       meter_(std::make_shared<MemoryMeter>()),
       paths_(static_cast<std::size_t>(config.particles)),
       motion_(config.motion),
@@ -24,23 +25,28 @@ FastSlam::FastSlam(const SlamConfig& config, std::uint32_t seed, Workers& worker
   const double bias_variance = config.compass.bias_sigma * config.compass.bias_sigma;
   particles_.assign(static_cast<std::size_t>(config.particles),
                     Particle{.T_map_base = config.start, .compass_bias = {0.0, bias_variance}, .map = empty});
-  for (int w = 0; w < workers.threads(); ++w) map_workers_.push_back(std::make_unique<MapWorker>(config));
+  for (int w = 0; w < workers.threads(); ++w) {
+    map_workers_.push_back(std::make_unique<MapWorker>(config, StageMarker{listener, w}));
+  }
 }
 
 FastSlam::~FastSlam() = default;
 
 bool FastSlam::update(const Reading& reading) {
+  stage_.enter(Stage::kTrack);
   follow(reading);
   const bool first = statistics_.registered == 0;
   const bool registered = reading.scan && (first || config_.registration.due(motion_.T_last_now()));
   if (registered) {
     step(reading);
     motion_.restart();
+    stage_.enter(Stage::kTrack);
     if (tracker_) tracker_->make_key();
   } else if (reading.scan) {
     ++statistics_.tracked;
   }
   ++records_;
+  stage_.leave();
   return registered;
 }
 
@@ -58,18 +64,23 @@ void FastSlam::follow(const Reading& reading) {
 
 // Algorithms 1 and 3. The lines are those of Alg. 3; with the dense store, 5 and 8 copy plain cells (Alg. 1).
 void FastSlam::step(const Reading& reading) {
+  stage_.enter(Stage::kPrepare);
   sweep_ = sweep_of(reading, config_.sweep);
   probes_ = map_workers_[0]->likelihood().probes_of(sweep_);
   spread_motion();
   waiting_.add(records_, reading);
   entering_ = waiting_.ripe() ? sweep_of(waiting_.oldest().reading, config_.sweep) : std::vector<Beam>{};
   workers_.for_each(particles_.size(), [&](std::size_t p, int worker) {  // (3) for p = 1..n
-    advance(particles_[p], p, reading, *map_workers_[static_cast<std::size_t>(worker)]);
+    MapWorker& own = *map_workers_[static_cast<std::size_t>(worker)];
+    advance(particles_[p], p, reading, own);
+    own.leave();
   });
+  stage_.enter(Stage::kSettle);
   record_paths();
   // One after another: what is sealed is the same for any number of threads.
   for (Particle& particle : particles_) particle.map.settle(static_cast<std::uint64_t>(statistics_.registered) + 1);
   account();
+  stage_.enter(Stage::kResample);
   resample_if_due();  // (12)-(15)
 }
 

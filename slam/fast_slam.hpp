@@ -21,8 +21,8 @@ namespace cogslam {
 /// The result depends on configuration, seed and readings alone, not on the number of threads.
 class FastSlam {
  public:
-  /// `workers` share out the particles and must outlive the filter.
-  FastSlam(const SlamConfig& config, std::uint32_t seed, Workers& workers);
+  /// `workers` share out the particles; they and `listener`, which may be nullptr, must outlive the filter.
+  FastSlam(const SlamConfig& config, std::uint32_t seed, Workers& workers, StageListener* listener = nullptr);
   ~FastSlam();
 
   /// Takes the next reading, in the order of the log. Returns true when its scan was registered.
@@ -62,6 +62,7 @@ class FastSlam {
   SlamConfig config_;
   std::uint32_t seed_;
   Workers& workers_;
+  StageMarker stage_;  ///< of the calling thread
   std::shared_ptr<MemoryMeter> meter_;
   std::vector<Particle> particles_;
   PathTree paths_;

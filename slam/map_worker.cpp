@@ -2,8 +2,9 @@
 
 namespace cogslam {
 
-MapWorker::MapWorker(const SlamConfig& config)
-    : log_odds_(config.log_odds),
+MapWorker::MapWorker(const SlamConfig& config, StageMarker stage)
+    : stage_(stage),
+      log_odds_(config.log_odds),
       cell_size_(config.cell_size),
       unit_(config.store.lattice_unit),
       likelihood_(config.likelihood, config.cell_size) {
@@ -13,6 +14,7 @@ MapWorker::MapWorker(const SlamConfig& config)
 }
 
 void MapWorker::load(const MapStore& map, const CellWindow& window) {
+  stage_.enter(Stage::kLoad);
   loaded_ = window;
   if (levels_) {
     map.load_levels(window, scratch_);
@@ -22,6 +24,7 @@ void MapWorker::load(const MapStore& map, const CellWindow& window) {
 }
 
 void MapWorker::look() {
+  stage_.enter(Stage::kWeigh);
   if (levels_) {
     likelihood_.look_at(scratch_.levels, unit_);
   } else {
@@ -33,6 +36,7 @@ void MapWorker::write(MapStore& map, const std::vector<Beam>& sweep, const Pose2
   if (sweep.empty()) return;
   const CellWindow window = window_of(sweep, T_map_base, cell_size_);
   if (!loaded_.contains(window)) load(map, window);
+  stage_.enter(Stage::kWrite);
   if (levels_) {
     map.commit_levels(updater_.integrate(sweep, T_map_base, *levels_, scratch_.levels), scratch_);
   } else {

@@ -42,7 +42,7 @@ TEST(RunRecord, KeepsTheKeysOfSchemaOne) {
         "ancestors_100", "payload_bytes", "bytes", "bytes_peak", "state_hash", "relations"}) {
     EXPECT_TRUE(v["scores"].contains(key)) << key;
   }
-  for (const char* key : {"cpu_s", "cpu_ms_per_registered", "wall_s", "rss_bytes_above_start"}) {
+  for (const char* key : {"cpu_s", "cpu_ms_per_registered", "cpu_stages_s", "wall_s", "rss_bytes_above_start"}) {
     EXPECT_TRUE(v["costs"].contains(key)) << key;
   }
 }
@@ -57,7 +57,11 @@ TEST(RunRecord, WritesEveryFigureUnderItsOwnKey) {
   s.grid_log_score = 13.5, s.path_mse_vs_baseline_m2 = 14.5, s.grid_mse_vs_baseline = 15.5;
   s.registered = 16, s.tracked = 17, s.resamplings = 18, s.ancestors_100 = 19;
   s.payload_bytes = 20.5, s.bytes = 21.5, s.bytes_peak = 22, s.state_hash = "23", s.map_hash = "24";
-  v.costs = {.cpu_s = 25.5, .cpu_ms_per_registered = 26.5, .wall_s = 27.5, .rss_bytes_above_start = 28};
+  v.costs = {.cpu_s = 25.5,
+             .cpu_ms_per_registered = 26.5,
+             .cpu_stages_s = StageSeconds{1, 2, 3, 4, 5, 6, 7},
+             .wall_s = 27.5,
+             .rss_bytes_above_start = 28};
   record.variants.push_back(v);
   const json written = json::parse(to_json(record))["variants"][0];
   const json scores{{"path_mse_m2", 1.5},
@@ -88,7 +92,13 @@ TEST(RunRecord, WritesEveryFigureUnderItsOwnKey) {
                     {"map_hash", "24"},
                     {"relations", {{"online", nullptr}, {"final", nullptr}}}};
   EXPECT_EQ(written["scores"], scores);
-  const json costs{{"cpu_s", 25.5}, {"cpu_ms_per_registered", 26.5}, {"wall_s", 27.5}, {"rss_bytes_above_start", 28}};
+  const json stages{{"track", 1.0}, {"prepare", 2.0}, {"load", 3.0},    {"weigh", 4.0},
+                    {"write", 5.0}, {"settle", 6.0},  {"resample", 7.0}};
+  const json costs{{"cpu_s", 25.5},
+                   {"cpu_ms_per_registered", 26.5},
+                   {"cpu_stages_s", stages},
+                   {"wall_s", 27.5},
+                   {"rss_bytes_above_start", 28}};
   EXPECT_EQ(written["costs"], costs);
 }
 

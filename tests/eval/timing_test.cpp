@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/check.hpp"
+#include "eval/metrics/stage_times.hpp"
 
 namespace cogslam {
 namespace {
@@ -57,6 +58,29 @@ TEST(Memory, GrowsByWhatIsTouchedAndKeepsThePeak) {
   EXPECT_GE(*rss_peak_bytes(), *before + kBytes * 9 / 10);
   if (!reset_rss_peak()) GTEST_SKIP() << "the system does not let the peak start anew";
   EXPECT_LT(*rss_peak_bytes(), *before + kBytes * 5 / 10);
+}
+
+TEST(StageTimes, AddUpByStageOverThreads) {
+  StageTimes times(2);
+  times.enter(0, Stage::kTrack);
+  burn(0.01);
+  times.enter(0, Stage::kWeigh);  // ends the one before
+  std::jthread([&] {
+    times.enter(1, Stage::kWeigh);
+    burn(0.02);
+    times.leave(1);
+    burn(0.01);  // of no stage
+  }).join();
+  burn(0.01);
+  times.leave(0);
+  times.leave(0);  // nothing runs
+  const StageSeconds seconds = times.seconds();
+  const auto of = [&](Stage stage) { return seconds[static_cast<std::size_t>(stage)]; };
+  EXPECT_GE(of(Stage::kTrack), 0.01);
+  EXPECT_LT(of(Stage::kTrack), 0.015);
+  EXPECT_GE(of(Stage::kWeigh), 0.03);
+  EXPECT_LT(of(Stage::kWeigh), 0.038);
+  EXPECT_EQ(of(Stage::kLoad), 0.0);
 }
 
 }  // namespace

@@ -149,5 +149,32 @@ TEST(FastSlam, LetsLogOddsGrowWithoutTheClamp) {
   EXPECT_LT(least(unclamped), config.log_odds.min);
 }
 
+/// Every stage that one thread enters, in order; leaving is '.'.
+struct StageLog : StageListener {
+  std::string letters;
+  void enter(int /*worker*/, Stage stage) override { letters += "TPLWDSR"[static_cast<std::size_t>(stage)]; }
+  void leave(int /*worker*/) override { letters += '.'; }
+};
+
+TEST(FastSlam, TellsWhichStageItWorksOn) {
+  const SyntheticLog log = drive_round(30, 9, 60);
+  SlamConfig config = config_for(log, 2);
+  config.loops.waiting_scans = 0;
+  config.resampling.every_step = true;
+  StageLog stages;
+  Workers workers(1);
+  FastSlam filter(config, 1, workers, &stages);
+  filter.update(log.readings[0]);
+  EXPECT_EQ(stages.letters, "TPLD.LD.SRT.");  // nothing to weigh against yet
+  int registered = 0;
+  for (std::size_t i = 1; i < log.readings.size(); ++i) {
+    stages.letters.clear();
+    const bool taken = filter.update(log.readings[i]);
+    EXPECT_EQ(stages.letters, taken ? "TPLWD.LWD.SRT." : "T.");
+    registered += taken ? 1 : 0;
+  }
+  EXPECT_GT(registered, 0);
+}
+
 }  // namespace
 }  // namespace cogslam
