@@ -18,6 +18,8 @@ Command validate_command(CLI::App& program);
 Command lab_command(CLI::App& program);
 Command sense_command(CLI::App& program);
 Command world_command(CLI::App& program);
+Command sweep_command(CLI::App& program);
+Command sweep_worker_command(CLI::App& program);
 Command generate_command(CLI::App& program);
 
 }  // namespace cogslam

@@ -22,6 +22,7 @@ set(HOMES
   "Random123/@^(core/rng|sensors/pixel_noise)\\.cpp$"  # a picture draws a million numbers at once
   "nlohmann/@^eval/"
   "png\\.h@^(eval/|worlds/map_image_png\\.cpp$)"
+  "sqlite3\\.h@^eval/sweep/"
   "lz4\\.h@^eval/lab/"
   "zstd\\.h@^eval/lab/"
   "CLI/@^cli/"

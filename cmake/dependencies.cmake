@@ -9,6 +9,7 @@ find_package(OpenCV REQUIRED COMPONENTS core imgproc video calib3d)  # slam/odom
 find_package(Ceres REQUIRED)                   # slam/odometry, slam/match
 find_package(PNG REQUIRED)                     # eval/report
 find_package(nlohmann_json REQUIRED)           # eval
+find_package(SQLite3 REQUIRED)                  # eval/sweep
 find_library(LZ4_LIBRARY lz4 REQUIRED)         # eval/lab
 find_library(ZSTD_LIBRARY zstd REQUIRED)       # eval/lab
 find_package(fmt REQUIRED)                     # eval, cli

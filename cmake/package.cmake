@@ -23,5 +23,5 @@ find_package(cogslam CONFIG) gives the target cogslam::cogslam.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "cogslam (= ${PROJECT_VERSION}), libeigen3-dev, libyaml-cpp-dev, zlib1g-dev,\
  libbox2d-dev, libopencv-core-dev, libopencv-imgproc-dev, libopencv-video-dev, libopencv-calib3d-dev, libceres-dev,\
- libpng-dev, nlohmann-json3-dev, libfmt-dev, liblz4-dev, libzstd-dev")
+ libpng-dev, nlohmann-json3-dev, libfmt-dev, liblz4-dev, libzstd-dev, libsqlite3-dev")
 include(CPack)
