@@ -47,7 +47,6 @@ class FastSlam {
   void follow(const Reading& reading);
   void step(const Reading& reading);
   void spread_motion();
-  [[nodiscard]] bool old_map_in_sight() const;
   void advance(Particle& particle, std::size_t slot, const Reading& reading, MapWorker& worker) const;
   void propose_by_motion(Particle& particle, Rng& rng, MapWorker& worker) const;
   void propose_by_match(Particle& particle, Rng& rng, MapWorker& worker) const;

@@ -35,6 +35,13 @@ bool LoopDrift::is_old(std::size_t registered) const {
   return ways_.back() - ways_[registered] >= config_.least_way;
 }
 
+bool LoopDrift::old_map_in_sight(const Pose2& T_map_base, std::span<const RegisteredPose> path) const {
+  for (std::size_t i = 0; i < path.size() && is_old(i); ++i) {
+    if ((path[i].T_map_base.position() - T_map_base.position()).norm() < config_.sight) return true;
+  }
+  return false;
+}
+
 bool LoopDrift::closes_loop() const { return std::sqrt(released_(0, 0) + released_(1, 1)) > kWide; }
 
 }  // namespace cogslam

@@ -3,9 +3,10 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <vector>
 
-#include "core/pose2.hpp"
+#include "slam/registered_pose.hpp"
 
 namespace cogslam {
 
@@ -34,6 +35,8 @@ class LoopDrift {
 
   /// Whether the registered scan with this number (from 0) lies far enough back on the way to call its place old.
   [[nodiscard]] bool is_old(std::size_t registered) const;
+  /// Whether a robot at T_map_base is near an old pose of its path, which holds all registered scans, oldest first.
+  [[nodiscard]] bool old_map_in_sight(const Pose2& T_map_base, std::span<const RegisteredPose> path) const;
 
   /// What the spread of this scan's motion grows by: of the small motion that follows it [m, m, rad]. Zero while no
   /// old map is in sight.

@@ -36,7 +36,6 @@ void PathTree::resample(std::span<const std::size_t> chosen) {
   for (const std::size_t slot : chosen) next.push_back(leaves_[slot]);
   leaves_ = std::move(next);
   drop_unused();
-  grow_trunk();
 }
 
 /// From the last generation back, until one loses nothing.
@@ -64,8 +63,7 @@ void PathTree::drop_unused() {
 
 void PathTree::grow_trunk() {
   auto first = generations_.begin();
-  // The last generation stays: leaves point into it.
-  for (; first + 1 < generations_.end() && first->branches.size() == 1; ++first) {
+  for (; first != generations_.end() && first->branches.size() == 1; ++first) {
     make_room(trunk_);
     trunk_.push_back({first->branches[0].T_map_base, first->record});
   }

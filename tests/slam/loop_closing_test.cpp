@@ -38,6 +38,8 @@ TEST(FastSlam, KeepsScansThatWaitOutOfTheMaps) {
   FastSlam filter(config, 1, workers);
   for (const Reading& reading : log.readings) filter.update(reading);
   EXPECT_EQ(filter.statistics().payload_bytes, 0.0);
+  const auto registered = static_cast<double>(filter.statistics().registered);
+  EXPECT_GE(filter.statistics().last.bytes, sizeof(Particle) + registered * sizeof(StoredPose));
   EXPECT_EQ(filter.statistics().resamplings, 0);  // nothing to weigh against
 }
 
@@ -52,8 +54,11 @@ TEST(FastSlam, MovesWaitingScansWithAClosedLoop) {
   FastSlam filter(config, 1, workers);
   int moved = 0;
   std::vector<RegisteredPose> before;
+  Pose2 T_odom_before;
   for (const Reading& reading : log.readings) {
     if (!filter.update(reading)) continue;
+    const Pose2 T_before_now = T_odom_before.inverse() * filter.T_odom_base();
+    T_odom_before = filter.T_odom_base();
     const std::vector<RegisteredPose> path = filter.best_path();
     if (before.size() > 4 && path[path.size() - 2].T_map_base != before.back().T_map_base) {
       ++moved;
@@ -64,11 +69,39 @@ TEST(FastSlam, MovesWaitingScansWithAClosedLoop) {
         EXPECT_NEAR((path[i].T_map_base.position() - expected.position()).norm(), 0.0, 1e-6) << i << " of " << n;
         EXPECT_EQ(path[i].record, before[i].record);
       }
+      // The move takes the tracked pose to the matched one.
+      const Pose2 closed = T * before.back().T_map_base * T_before_now;
+      EXPECT_NEAR((path.back().T_map_base.position() - closed.position()).norm(), 0.0, 1e-5);
     }
     before = path;
   }
   EXPECT_GT(moved, 0);
   EXPECT_EQ(filter.best_map(), map_of(filter.best_path(), log, config));
+}
+
+/// How far off the filter ends that loses sight of everything for most of a round, while odometry errs, and then comes
+/// back to where it began [m].
+double error_after_blind_round(double drift_position, double sight) {
+  SyntheticLog log = drive_round(135, 24);
+  for (std::size_t i = 35; i < 92; ++i) {
+    Reading& reading = log.readings[i];
+    reading.scan->ranges.assign(reading.scan->ranges.size(), Scan::kInvalid);
+    reading.motion.T_before_now.x += 0.01;  // 0.57 m in all
+  }
+  SlamConfig config = config_for(log, 4);
+  config.registration.distance = 0.15;
+  config.loops = {
+      .waiting_scans = 4, .drift_position = drift_position, .drift_heading = 0.05, .sight = sight, .least_way = 4.0};
+  Workers workers(2);
+  FastSlam filter(config, 1, workers);
+  for (const Reading& reading : log.readings) filter.update(reading);
+  return (filter.T_map_base().position() - log.truth.back().position()).norm();
+}
+
+TEST(FastSlam, SeeksAClosingLoopAsFarAsItMayHaveDrifted) {
+  EXPECT_LT(error_after_blind_round(0.3, 1.2), 0.06);
+  EXPECT_GT(error_after_blind_round(0.0, 1.2), 0.15);   // no drift expected, none found
+  EXPECT_GT(error_after_blind_round(0.3, 1e-3), 0.15);  // nothing old is ever in sight
 }
 
 }  // namespace

@@ -81,6 +81,21 @@ TEST(LoopDrift, CallsAPlaceOldAfterEnoughTravelNotDistance) {
   EXPECT_FALSE(drift.is_old(9));
 }
 
+TEST(LoopDrift, SeesTheOldMapNearOldPosesOnly) {
+  LoopDrift drift({.sight = 3.0, .least_way = 10.0});
+  std::vector<RegisteredPose> path;
+  for (std::size_t i = 0; i < 10; ++i) {  // along x, 2 m apart: old are those up to x = 8
+    drift.move({i == 0 ? 0.0 : 2.0, 0.0, 0.0});
+    path.push_back({i, {2.0 * static_cast<double>(i), 0.0, 0.0}});
+  }
+  EXPECT_TRUE(drift.old_map_in_sight({8.0, 2.9, 0.0}, path));
+  EXPECT_FALSE(drift.old_map_in_sight({8.0, 3.1, 0.0}, path));
+  EXPECT_TRUE(drift.old_map_in_sight({10.9, 0.0, 0.0}, path));
+  EXPECT_FALSE(drift.old_map_in_sight({11.1, 0.0, 0.0}, path));  // near x = 10, which is not old
+  EXPECT_TRUE(drift.old_map_in_sight({-2.0, 0.0, 0.0}, path));
+  EXPECT_FALSE(drift.old_map_in_sight({0.0, 0.0, 0.0}, std::span(path).first(0)));
+}
+
 TEST(WaitingScans, LetTheOldestGoOnceMoreThanTheCountAreThere) {
   WaitingScans waiting(3);
   for (std::uint64_t i = 0; i < 10; ++i) {

@@ -122,24 +122,26 @@ void expect_near(const Pose2& a, const Pose2& b) {
 }
 
 TEST(WaitingPoses, EqualAQueueOfMovedPoses) {
-  WaitingPoses poses;
-  std::vector<Pose2> twin;
   Rng rng({.seed = 45, .purpose = Purpose::kWorld});
   const auto some_pose = [&] { return Pose2{30.0 * rng.normal(), 30.0 * rng.normal(), rng.uniform()}; };
-  for (int i = 0; i < 5; ++i) {
-    twin.push_back(some_pose());
-    poses.add(twin.back());
-  }
-  for (int i = 0; i < 40; ++i) {
-    const Pose2 newest = some_pose();
-    twin.push_back(newest);
-    expect_near(poses.exchange(newest).pose(), twin.front());
-    twin.erase(twin.begin());
-    const Pose2 T{0.1 * rng.normal(), 0.1 * rng.normal(), 0.01 * rng.normal()};
-    poses.move(T);
-    for (Pose2& pose : twin) pose = T * pose;
-    ASSERT_EQ(poses.size(), 5);
-    for (std::size_t k = 0; k < 5; ++k) expect_near(poses[k], twin[k]);
+  for (const std::size_t waiting : {1U, 2U, 5U}) {
+    WaitingPoses poses;
+    std::vector<Pose2> twin;
+    for (std::size_t i = 0; i < waiting; ++i) {
+      twin.push_back(some_pose());
+      poses.add(twin.back());
+    }
+    for (int i = 0; i < 40; ++i) {
+      const Pose2 newest = some_pose();
+      twin.push_back(newest);
+      expect_near(poses.exchange(newest).pose(), twin.front());
+      twin.erase(twin.begin());
+      const Pose2 T{0.1 * rng.normal(), 0.1 * rng.normal(), 0.01 * rng.normal()};
+      poses.move(T);
+      for (Pose2& pose : twin) pose = T * pose;
+      ASSERT_EQ(poses.size(), waiting);
+      for (std::size_t k = 0; k < waiting; ++k) expect_near(poses[k], twin[k]);
+    }
   }
 }
 
