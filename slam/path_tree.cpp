@@ -67,7 +67,9 @@ void PathTree::grow_trunk() {
     make_room(trunk_);
     trunk_.push_back({first->branches[0].T_map_base, first->record});
   }
+  if (first == generations_.begin()) return;
   generations_.erase(generations_.begin(), first);  // the parents of those that follow are all in place 0
+  if (generations_.capacity() > 2 * generations_.size() + 16) generations_.shrink_to_fit();
 }
 
 std::vector<RegisteredPose> PathTree::path_of(std::size_t slot) const {
