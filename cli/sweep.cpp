@@ -60,7 +60,7 @@ void measure(Sweep& sweep, const std::vector<const PlannedEpisode*>& missing, co
 
 int conclude(const Sweep& sweep, ProgressLine& progress) {
   const EpisodeTable table = sweep.results();
-  sweep.export_tables();
+  sweep.export_results();
   progress.clear();
   if (!table.rows.empty()) fmt::print("{}", summary_table(summarize(table)));
   const auto failures = sweep.failures();

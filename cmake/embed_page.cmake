@@ -1,4 +1,4 @@
-# Writes the page's texts as C++ strings:  cmake -DOUT=file.cpp -DSTYLE=page.css "-DSCRIPT=run.js;notices.txt" -P ...
+# Writes the page's texts as C++ strings:  cmake -DOUT=file.cpp -DSTYLE=page.css "-DSCRIPT=run.js;sweep.js;notices.txt" -P ...
 cmake_minimum_required(VERSION 3.25)
 set(text "// Made from eval/page/web by cmake/embed_page.cmake.\n#include \"eval/page/built_in.hpp\"\nnamespace cogslam {\n")
 
@@ -21,13 +21,16 @@ function(embed name file)
 endfunction()
 
 list(LENGTH SCRIPT files)
-set(script "")
+set(run_script "")
+set(sweep_script "")
 set(notices "")
-if(files EQUAL 2)
-  list(GET SCRIPT 0 script)
-  list(GET SCRIPT 1 notices)
+if(files EQUAL 3)
+  list(GET SCRIPT 0 run_script)
+  list(GET SCRIPT 1 sweep_script)
+  list(GET SCRIPT 2 notices)
 endif()
 embed(kPageStyle "${STYLE}")
-embed(kPageScript "${script}")
+embed(kRunPageScript "${run_script}")
+embed(kSweepPageScript "${sweep_script}")
 embed(kPageNotices "${notices}")
 file(WRITE ${OUT} "${text}}  // namespace cogslam\n")

@@ -1,6 +1,6 @@
-# The script of run pages (eval/page/web): its parts come from npm, once per lock file, while configuring; esbuild joins
-# them into one file while building. Without npm the program writes static pages. Sets COGSLAM_PAGE_SOURCE, a C++ file
-# with style, script and notices, and COGSLAM_PAGE_PARTS, the folder with node_modules, or nothing.
+# The scripts of pages (eval/page/web): their parts come from npm, once per lock file, while configuring; esbuild joins
+# them into one file for each kind of page while building. Without npm the program writes static pages. Sets COGSLAM_PAGE_SOURCE, a C++ file
+# with style, scripts and notices, and COGSLAM_PAGE_PARTS, the folder with node_modules, or nothing.
 set(PAGE_WEB ${CMAKE_CURRENT_LIST_DIR}/../eval/page/web)
 get_filename_component(PAGE_WEB ${PAGE_WEB} ABSOLUTE)
 set(PAGE_BUILD ${CMAKE_CURRENT_BINARY_DIR}/page)
@@ -40,11 +40,11 @@ set(COGSLAM_PAGE_PARTS "" CACHE INTERNAL "Folder of the parts of the page")
 set(page_script "")
 if(page_obstacle STREQUAL "")
   set(COGSLAM_PAGE_PARTS ${PAGE_BUILD} CACHE INTERNAL "")
-  set(page_script ${PAGE_BUILD}/run.js ${PAGE_BUILD}/notices.txt)
+  set(page_script ${PAGE_BUILD}/run.js ${PAGE_BUILD}/sweep.js ${PAGE_BUILD}/notices.txt)
   file(GLOB page_sources CONFIGURE_DEPENDS ${PAGE_WEB}/src/*)
   add_custom_command(OUTPUT ${page_script}
     COMMAND ${NODE} ${PAGE_WEB}/build.mjs ${PAGE_BUILD}
-    DEPENDS ${page_sources} ${PAGE_WEB}/build.mjs ${PAGE_WEB}/package-lock.json COMMENT "Joining the page's script" VERBATIM)
+    DEPENDS ${page_sources} ${PAGE_WEB}/build.mjs ${PAGE_WEB}/package-lock.json COMMENT "Joining the pages' scripts" VERBATIM)
   message(STATUS "Page: with replay")
 elseif(COGSLAM_PAGE STREQUAL "ON")
   message(FATAL_ERROR "Page: no replay: ${page_obstacle}")

@@ -101,7 +101,7 @@ class FolderWriter {
 
   void write_page() const {
     if (files_.page == PageKind::kNone) return;
-    const PageParts parts = files_.page == PageKind::kPlayer ? built_in_parts() : static_parts();
+    const PageParts parts = files_.page == PageKind::kPlayer ? run_page_parts() : static_parts();
     write_file(folder_ / "page.html", run_page(files_, pictures_, parts));
   }
 

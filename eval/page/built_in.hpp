@@ -5,6 +5,8 @@
 namespace cogslam {
 
 extern const char* const kPageStyle;
-extern const char* const kPageScript;   ///< empty where npm was absent
-extern const char* const kPageNotices;  ///< of what is bundled in the script
+extern const char* const kRunPageScript;    ///< empty where npm was absent
+extern const char* const kSweepPageScript;  ///< empty where npm was absent
+extern const char* const kPageNotices;      ///< of what is bundled in the scripts
+
 }  // namespace cogslam

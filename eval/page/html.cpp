@@ -30,7 +30,9 @@ std::string json_in_html(std::string_view json) {
   return out;
 }
 
-PageParts built_in_parts() { return {kPageStyle, kPageScript, kPageNotices}; }
+PageParts run_page_parts() { return {kPageStyle, kRunPageScript, kPageNotices}; }
+
+PageParts sweep_page_parts() { return {kPageStyle, kSweepPageScript, kPageNotices}; }
 
 PageParts static_parts() { return {kPageStyle, {}, {}}; }
 

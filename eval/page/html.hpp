@@ -16,7 +16,8 @@ struct PageParts {
 };
 
 /// The parts that were built into the program; without a script where npm was absent (cmake/page.cmake).
-PageParts built_in_parts();
+PageParts run_page_parts();
+PageParts sweep_page_parts();
 /// The same without script.
 PageParts static_parts();
 

@@ -5,6 +5,7 @@
 
 #include "core/output_file.hpp"
 #include "core/text_file.hpp"
+#include "eval/page/sweep_page.hpp"
 #include "eval/sweep/episode_job.hpp"
 #include "eval/sweep/export.hpp"
 #include "eval/sweep/summary.hpp"
@@ -63,11 +64,15 @@ std::size_t Sweep::of_other_builds() const {
   return others;
 }
 
-void Sweep::export_tables() const {
+void Sweep::export_results() const {
   const EpisodeTable table = database_.results();
   write_file(folder_.root / "scores.csv", table_csv(table, ColumnKind::kScore));
   write_file(folder_.root / "costs.csv", table_csv(table, ColumnKind::kCost));
-  write_file(folder_.root / "summary.csv", summary_csv(summarize(table)));
+  std::vector<VariantSummary> summary = summarize(table);
+  write_file(folder_.root / "summary.csv", summary_csv(summary));
+  const SweepPageData page{
+      .name = plan_.name, .planned = plan_.episodes.size(), .table = table, .summary = std::move(summary)};
+  write_file(folder_.root / "page.html", sweep_page(page, sweep_page_parts()));
 }
 
 }  // namespace cogslam

@@ -29,8 +29,8 @@ class Sweep {
   [[nodiscard]] std::size_t of_other_builds() const;
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> failures() const { return database_.failures(); }
   [[nodiscard]] EpisodeTable results() const { return database_.results(); }
-  /// Writes scores.csv, costs.csv and summary.csv.
-  void export_tables() const;
+  /// Writes scores.csv, costs.csv, summary.csv and page.html.
+  void export_results() const;
 
  private:
   SweepPlan plan_;

@@ -1,5 +1,5 @@
 // Joins the page's sources and what they import into one file:  node build.mjs FOLDER
-// FOLDER holds node_modules; run.js and notices.txt are written into it.
+// FOLDER holds node_modules; run.js, sweep.js and notices.txt are written into it.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
@@ -12,8 +12,8 @@ const esbuild = fromFolder('esbuild');
 const bundled = ['uplot'];
 
 await esbuild.build({
-  entryPoints: [path.join(here, 'src', 'run.js')],
-  outfile: path.join(folder, 'run.js'),
+  entryPoints: ['run.js', 'sweep.js'].map((name) => path.join(here, 'src', name)),
+  outdir: folder,
   nodePaths: [path.join(folder, 'node_modules')],
   bundle: true,
   minify: true,

@@ -9,7 +9,10 @@ const DASHES = [[], [9, 4], [2, 3], [12, 3, 2, 3], [5, 5], [14, 5], [1, 2]];
 const COLOURS = ['ink', 'orange', 'green', 'purple', 'blue', 'yellow', 'grey'];
 
 /** Colour (by its name in page.css) and dashes of the n-th curve: told apart by either alone. */
-export const look = (n) => ({ colour: COLOURS[n % COLOURS.length], dash: DASHES[n % DASHES.length] });
+export const look = (n) => ({
+  colour: COLOURS[n % COLOURS.length],
+  dash: DASHES[(n + Math.floor(n / COLOURS.length)) % DASHES.length],
+});
 
 function axis(label, size) {
   return {
@@ -41,10 +44,14 @@ function seriesOf(curve) {
     width: curve.width ?? 1.5,
     dash: curve.dash,
     spanGaps: true,
-    points: { show: false },
+    points: curve.markers ? { show: true, size: 6, fill: () => colour(curve.colour) } : { show: false },
     value: (_, v) => (v === null || v === undefined ? '–' : String(Number(v.toPrecision(4)))),
   };
 }
+
+/** An x in the legend: with one decimal, or with so many digits. */
+const textOf = (v, digits) =>
+  v === null || v === undefined ? '–' : digits ? String(Number(v.toPrecision(digits))) : v.toFixed(1);
 
 /** Of the sample in the legend. */
 const lineStyle = (dash) => (!dash?.length ? 'solid' : dash[0] < 4 ? 'dotted' : 'dashed');
@@ -60,17 +67,25 @@ function tables(curves) {
     if (!curve.low) continue;
     for (const edge of [curve.high, curve.low]) {
       columns.push([Array.from(curve.x), Array.from(edge)]);
-      series.push({ label: `${curve.label}, interval`, stroke: 'transparent', points: { show: false }, spanGaps: true });
+      series.push({ label: `${curve.label}, interval`, edge: true, stroke: 'transparent', points: { show: false }, spanGaps: true });
     }
     bands.push({ series: [series.length - 1, series.length], fill: () => `${colour(curve.colour)}33` });
   }
   return { data: uPlot.join(columns), series, bands };
 }
 
+/** An interval goes and comes with its curve. */
+function hideEdges(plot, index, { show }) {
+  if (show === undefined || index === null || plot.series[index].edge) return;
+  for (const next of [index + 1, index + 2]) {
+    if (plot.series[next]?.edge) plot.setSeries(next, { show });
+  }
+}
+
 /** A chart that fills the width of its figure. */
 export class Chart {
-  /** `curves`: {label, x, y, colour, dash, width, pointsOnly, low, high}; y may hold NaN. `onPick(x)`: it was clicked. */
-  constructor(figure, { title, xLabel, yLabel, curves, logarithmic = false, onPick }) {
+  /** `curves`: {label, x, y, colour, dash, width, markers, pointsOnly, low, high}; y may hold NaN. `onPick(x)`: it was clicked. */
+  constructor(figure, { title, xLabel, yLabel, curves, logarithmic = false, onPick, xDigits }) {
     const { data, series, bands } = tables(curves);
     this.figure = figure;
     this.colours = series.reduce((list, { colour: name }) => [...list, name], [undefined]);
@@ -78,7 +93,7 @@ export class Chart {
     const options = {
       width: this.#width(),
       height: this.height,
-      series: [{ label: xLabel, value: (_, v) => (v === null || v === undefined ? '–' : v.toFixed(1)) }, ...series],
+      series: [{ label: xLabel, value: (_, v) => textOf(v, xDigits) }, ...series],
       bands,
       axes: [axis(xLabel, 32), axis(yLabel, 52)],
       scales: {
@@ -87,6 +102,7 @@ export class Chart {
       },
       legend: { markers: { width: 2, dash: (plot, i) => lineStyle(plot.series[i].dash) } },
       cursor: { drag: { x: false, y: false } },
+      hooks: { setSeries: [hideEdges] },
     };
     const caption = document.createElement('figcaption');
     caption.textContent = title;
@@ -95,9 +111,12 @@ export class Chart {
     holder.setAttribute('aria-label', `${title}: ${curves.map((curve) => curve.label).join(', ')}`);
     figure.replaceChildren(caption, holder);
     this.plot = new uPlot(options, data, holder);
+    this.plot.root.querySelectorAll('.u-legend .u-series').forEach((row, i) => {
+      row.hidden = Boolean(this.plot.series[i].edge);
+    });
     this.head = document.createElement('div');
     this.head.className = 'playhead';
-    this.plot.over.append(this.head);
+    if (onPick) this.plot.over.append(this.head);
     this.plot.over.addEventListener('mouseleave', () => this.x !== undefined && this.point(this.x));
     if (onPick) {
       this.plot.over.addEventListener('click', (event) => {
