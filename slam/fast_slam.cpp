@@ -166,13 +166,11 @@ void FastSlam::propose_by_match(Particle& particle, Rng& rng, MapWorker& worker)
   }
 }
 
-/// How far end points move when the search, and the draw after it, go to their limits.
+/// How far end points move when the search goes to its limits.
 int FastSlam::search_margin_cells() const {
   double longest = 0.0;
   for (const Beam& beam : sweep_) longest = std::max(longest, beam.end.norm());
-  const Eigen::Vector3d sigma = spread_.diagonal().cwiseSqrt();
-  const double sigmas = config_.matcher.window_sigmas + 1.0;
-  const double shift = sigmas * (sigma.head<2>().norm() + longest * sigma.z());
+  const double shift = farthest_move(spread_, longest, config_.matcher);
   return static_cast<int>(std::ceil(shift / config_.cell_size)) + 1;
 }
 

@@ -31,7 +31,7 @@ struct ResamplingConfig {
 struct SlamConfig {
   int particles = 100;
   double cell_size = 0.1;         ///< [m]
-  std::optional<Rectangle> area;  ///< what the map covers [m]; nothing: it grows (dense store only)
+  std::optional<Rectangle> area;  ///< what the map covers [m]; nothing: it grows (not with coefficients)
   Pose2 start{};                  ///< T_map_base before the first reading
   Proposal proposal = Proposal::kScanMatched;
   StoreConfig store{};

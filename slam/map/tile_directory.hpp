@@ -54,7 +54,6 @@ class TileDirectory {
   void for_each(const Visit& visit) const;
 
  private:
-  struct Part;  ///< a node, and where it lies
   void grow_to(const CellWindow& tiles);
 
   std::shared_ptr<TileStore> store_;

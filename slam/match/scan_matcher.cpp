@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kLever = 4.0;  // metres: a turn is worth what it moves a point this far away
 constexpr int kClimbLimit = 20;
+constexpr int kClimbSteps = 4;   // coarse steps: farther from where the search ends no climb is expected to lead
 constexpr double kStill = 1e-3;  // metres: a shorter step is an arrival; the last step goes on from there
 
 /// The posterior over small motions away from the prediction.
@@ -126,6 +127,15 @@ PoseFit fit_across_cells(Posterior& posterior, const Place& place, double step) 
 }
 
 }  // namespace
+
+double farthest_move(const Eigen::Matrix3d& covariance, double distance, const ScanMatcherConfig& config) {
+  const Eigen::Vector3d sigma = covariance.diagonal().cwiseSqrt();
+  // Drift kept over a long way spreads by hundreds of metres; the search does not reach so far.
+  const double most = (config.coarse_steps_max + kClimbSteps) * config.coarse_step;
+  const Eigen::Vector3d reach =
+      ((config.window_sigmas + 1.0) * sigma).cwiseMin(Eigen::Vector3d(most, most, most / kLever));
+  return reach.head<2>().norm() + distance * reach.z();
+}
 
 ScanMatch match_scan(const PoseScore& score, const Pose2& predicted, const Eigen::Matrix3d& covariance,
                      const ScanMatcherConfig& config) {

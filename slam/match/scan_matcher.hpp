@@ -15,6 +15,9 @@ struct ScanMatcherConfig {
   int coarse_steps_max = 10;   ///< per direction, however wide the motion's spread
 };
 
+/// How far the search, and the climb after it, may take a point that lies `distance` from the robot [m].
+double farthest_move(const Eigen::Matrix3d& covariance, double distance, const ScanMatcherConfig& config);
+
 /// The pose that explains scan and motion best, and how sharply.
 struct ScanMatch {
   Pose2 T_map_base{};          ///< the mode

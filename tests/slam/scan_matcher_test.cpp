@@ -129,5 +129,14 @@ TEST(MatchScan, KeepsTheMotionsSpreadAlongACorridor) {
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(match.covariance).eigenvalues().minCoeff(), 0.0);
 }
 
+TEST(MatchScan, StatesHowFarItMayTakeAPoint) {
+  const ScanMatcherConfig config{.window_sigmas = 2.0, .coarse_step = 0.1, .coarse_steps_max = 10};
+  EXPECT_NEAR(farthest_move(diagonal(0.03, 0.04, 0.01), 20.0, config), 3.0 * (0.05 + 20.0 * 0.01), 1e-12);
+  // However wide the spread, the search ends at its limit: 1 m, and what moves a point at 4 m by as much.
+  const double most = farthest_move(diagonal(500.0, 500.0, 1.0), 20.0, config);
+  EXPECT_GT(most, std::sqrt(2.0) + 20.0 * 0.25);
+  EXPECT_LT(most, 2.0 * (std::sqrt(2.0) + 20.0 * 0.25));
+}
+
 }  // namespace
 }  // namespace cogslam
