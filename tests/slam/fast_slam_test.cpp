@@ -24,11 +24,14 @@ TEST(FastSlam, GivesTheSameStateForAnyNumberOfThreadsAndInEachRun) {
   const SyntheticLog log = drive_round(40, 3, 60);
   for (const auto& [name, config] : variants_for(log)) {
     const Outcome one = run(config, log, 1, 1);
+    ASSERT_GT(one.statistics.payload_bytes, 0.0) << name << ": empty maps say nothing of threads";
     for (const int threads : {1, 2, 4}) {
       const Outcome other = run(config, log, 1, threads);
       EXPECT_EQ(other.hash, one.hash) << name << ", " << threads << " threads";
       EXPECT_EQ(other.online, one.online) << name << ", " << threads << " threads";
+      EXPECT_EQ(other.map, one.map) << name << ", " << threads << " threads";
       EXPECT_EQ(other.statistics.bytes, one.statistics.bytes) << name << ", " << threads << " threads";
+      EXPECT_EQ(other.statistics.bytes_peak, one.statistics.bytes_peak) << name << ", " << threads << " threads";
     }
   }
 }
@@ -131,6 +134,7 @@ TEST(FastSlam, TakesNearlyTheSamePathWithAllCoefficients) {
   // filter.
   EXPECT_LT(rms_distance(dense.online, coefficients.online), 0.02);
   EXPECT_EQ(dense.registered, coefficients.registered);
+  EXPECT_GT(coefficients.statistics.payload_bytes, 0.0);
 }
 
 TEST(FastSlam, LetsLogOddsGrowWithoutTheClamp) {

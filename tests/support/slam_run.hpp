@@ -19,6 +19,7 @@ inline SlamConfig config_for(const SyntheticLog& log, int particles = 12) {
   config.area = Rectangle{{-3.5, -2.5}, {3.5, 2.5}};
   config.start = log.truth.front();
   config.likelihood.beams = 60;
+  config.loops.waiting_scans = 3;  // these logs are short: with the usual twenty the maps would stay empty
   return config;
 }
 
@@ -61,6 +62,10 @@ inline std::vector<std::pair<std::string, SlamConfig>> variants_for(const Synthe
     c.likelihood.model = ScanModel::kBeam;
   });
   add("coefficients", [](SlamConfig& c) { c.store.kind = StoreKind::kCoefficients; });
+  add("tiles", [](SlamConfig& c) { c.store.kind = StoreKind::kTiles; });
+  add("tiles, dense at once", [](SlamConfig& c) { c.store = {.kind = StoreKind::kTiles, .seal_after = 0}; });
+  add("two resolutions", [](SlamConfig& c) { c.store.kind = StoreKind::kTwoResolution; });
+  add("lattice", [](SlamConfig& c) { c.store.kind = StoreKind::kLattice; });
   add("unclamped", [](SlamConfig& c) { c.log_odds.clamped = false; });
   add("last beam", [](SlamConfig& c) { c.log_odds.rule = CellRule::kLastBeam; });
   add("no area", [](SlamConfig& c) { c.area.reset(); });
