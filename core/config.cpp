@@ -4,6 +4,7 @@
 
 #include "core/config_tree.hpp"
 #include "core/number_text.hpp"
+#include "core/printable.hpp"
 #include "core/text_file.hpp"
 
 namespace cogslam {
@@ -43,7 +44,7 @@ void reject_unread(const ConfigTree& section) {
     if (section.find_note(entry.key)) continue;
     const std::string near = meant_name(entry.key, known);
     throw InputError(entry.place,
-                     "unknown key '" + entry.key + "'" +
+                     "unknown key " + in_quotes(entry.key) +
                          (near.empty() ? "; known here: " + known_keys(section) : "; did you mean '" + near + "'?"));
   }
   for (const ConfigNote& note : section.notes) {
@@ -61,12 +62,12 @@ ConfigTreePtr& slot(ConfigTree& at, const std::string& step, const SourcePlace& 
     const auto index = parse_whole_number(step);
     if (!index || *index < 0 || *index >= static_cast<std::int64_t>(at.items.size())) {
       const std::string count = std::to_string(at.items.size());
-      throw InputError(place, "expected an index below " + count + ", found '" + step + "'");
+      throw InputError(place, "expected an index below " + count + ", found " + in_quotes(step));
     }
     return at.items[static_cast<std::size_t>(*index)];
   }
   if (at.kind == ConfigTree::Kind::kText) {
-    throw InputError(place, "'" + step + "' lies under " + found_text(at) + ", expected a section");
+    throw InputError(place, in_quotes(step) + " lies under " + found_text(at) + ", expected a section");
   }
   at.kind = ConfigTree::Kind::kSection;
   for (ConfigTree::Entry& entry : at.entries) {
@@ -96,7 +97,11 @@ ConfigSection ConfigSection::parse(const std::string& text, const std::string& n
 }
 
 void ConfigSection::override_value(const std::string& path, const std::string& text) {
-  const SourcePlace place{"--set " + path + "=" + text};
+  override_value(path, text, "--set " + path + "=" + text);
+}
+
+void ConfigSection::override_value(const std::string& path, const std::string& text, const std::string& option) {
+  const SourcePlace place{option};
   ConfigTree* at = tree_.get();
   std::size_t start = 0;
   for (std::size_t dot = path.find('.'); dot != std::string::npos; dot = path.find('.', start)) {

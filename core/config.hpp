@@ -40,6 +40,8 @@ class ConfigSection {
 
   /// Sets `path` ("slam.particles") to `text`, parsed as YAML, as if the file said so. Errors name `--set path=text`.
   void override_value(const std::string& path, const std::string& text);
+  /// The same, but errors name `option`.
+  void override_value(const std::string& path, const std::string& text, const std::string& option);
 
   [[nodiscard]] bool has(const std::string& key) const;
   void read(const std::string& key, double& value, Range range = {});

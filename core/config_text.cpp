@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "core/config_tree.hpp"
+#include "core/printable.hpp"
 
 namespace cogslam {
 namespace {
@@ -67,7 +68,6 @@ std::string yaml_scalar(const std::string& text) {
 }
 
 std::string found_text(const ConfigTree& tree) {
-  constexpr std::size_t kLongest = 60;
   switch (tree.kind) {
     case ConfigTree::Kind::kNothing:
       return "nothing";
@@ -78,8 +78,7 @@ std::string found_text(const ConfigTree& tree) {
     case ConfigTree::Kind::kText:
       break;
   }
-  const std::string shown = tree.text.size() > kLongest ? tree.text.substr(0, kLongest) + "..." : tree.text;
-  return tree.quoted ? "the text \"" + shown + "\"" : "'" + shown + "'";
+  return tree.quoted ? "the text \"" + printable(tree.text) + "\"" : in_quotes(tree.text);
 }
 
 }  // namespace cogslam

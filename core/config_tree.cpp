@@ -8,10 +8,13 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/printable.hpp"
+
 namespace cogslam {
 namespace {
 
 constexpr std::size_t kMaxDepth = 32;
+constexpr std::size_t kMaxKeys = 1000;
 constexpr const char* kTooDeep = "nested too deep, expected at most 32 levels";
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -41,7 +44,9 @@ class TreeBuilder : public YAML::EventHandler {
     started_ = true;
   }
   void OnDocumentEnd() override {}
-  void OnAnchor(const YAML::Mark& mark, const std::string& name) override { reject_anchor(mark, "anchor '&" + name); }
+  void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
+    reject_anchor(mark, "anchor " + in_quotes("&" + name));
+  }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { fail(mark, "alias; expected the value itself"); }
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t) override {
@@ -76,10 +81,10 @@ class TreeBuilder : public YAML::EventHandler {
     throw InputError(place(mark), message);
   }
   void reject_anchor(const YAML::Mark& mark, const std::string& what) const {
-    fail(mark, what + "'; expected a value without an anchor");
+    fail(mark, what + "; expected a value without an anchor");
   }
   void reject_tag(const YAML::Mark& mark, const std::string& tag) const {
-    if (tag.size() > 1) fail(mark, "tag '" + tag + "'; expected a value without a tag");
+    if (tag.size() > 1) fail(mark, "tag " + in_quotes(tag) + "; expected a value without a tag");
   }
   /// yaml-cpp takes a quoted text that runs to the end of the file for complete.
   void reject_open_quote(const YAML::Mark& mark, const std::string& tag) const {
@@ -103,11 +108,13 @@ class TreeBuilder : public YAML::EventHandler {
 
   void take_key(const YAML::Mark& mark, const std::string& key) {
     ConfigTree& section = *open_.back();
-    if (!is_key(key)) fail(mark, "expected a name as key, found '" + key + "'");
+    if (!is_key(key)) fail(mark, "expected a name as key, found " + in_quotes(key));
     if (const ConfigTree::Entry* first = section.find(key)) {
       const bool known = first->place.line > 0;
-      fail(mark, "duplicate key '" + key + "'" + (known ? ", first on line " + std::to_string(first->place.line) : ""));
+      fail(mark,
+           "duplicate key " + in_quotes(key) + (known ? ", first on line " + std::to_string(first->place.line) : ""));
     }
+    if (section.entries.size() == kMaxKeys) fail(mark, "too many keys, expected at most 1000 in one section");
     section.entries.push_back({key, place(mark), nullptr});
   }
 
@@ -138,10 +145,14 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<ConfigTreePtr> open_;
 };
 
-/// Hears everything and keeps nothing.
+/// Hears everything and keeps nothing but the place.
 class SyntaxCheck : public YAML::EventHandler {
  public:
-  void OnDocumentStart(const YAML::Mark&) override {}
+  /// Where no document begins, at a comma for instance, yaml-cpp hands out empty ones without end.
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (mark.pos == last_document_) throw YAML::Exception(mark, "expected `key: value` lines");
+    last_document_ = mark.pos;
+  }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
   void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
@@ -150,6 +161,9 @@ class SyntaxCheck : public YAML::EventHandler {
   void OnSequenceEnd() override {}
   void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
   void OnMapEnd() override {}
+
+ private:
+  int last_document_ = -1;
 };
 
 void send_events(const std::string& text, YAML::EventHandler& handler) {
@@ -163,12 +177,12 @@ void send_events(const std::string& text, YAML::EventHandler& handler) {
 void check_characters(const std::string& text, const std::string& name) {
   SourcePlace place{name, 1, 1};
   bool indent = true;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
+  for (std::size_t i = 0, size = 0; i < text.size(); i += size) {
+    const char c = text[i];
     if (c == '\t' && indent) throw InputError(place, "tab in the indent, expected spaces");
-    const bool control = (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F;
-    const bool never_in_utf8 = byte == 0xC0 || byte == 0xC1 || byte >= 0xF5;
-    if (control || never_in_utf8) throw InputError(place, "expected a text file in UTF-8, found binary content");
+    const bool blank = c == '\t' || c == '\n' || c == '\r';
+    size = blank ? 1 : printable_size(std::string_view(text).substr(i));
+    if (size == 0) throw InputError(place, "expected a text file in UTF-8, found binary content");
     indent = c == '\n' || (indent && c == ' ');
     ++place.column;
     if (c == '\n') place = {name, place.line + 1, 1};
@@ -204,10 +218,10 @@ ConfigTreePtr parse_config_tree(const std::string& text, const std::string& name
     SyntaxCheck check;
     send_events(text, check);
     send_events(text, builder);
-  } catch (const YAML::DeepRecursion&) {
-    throw InputError({name}, kTooDeep);
+  } catch (const YAML::DeepRecursion& error) {
+    throw InputError(builder.place(error.mark), kTooDeep);
   } catch (const YAML::Exception& error) {
-    throw InputError(builder.place(error.mark), "not valid YAML: " + error.msg);
+    throw InputError(builder.place(error.mark), "not valid YAML: " + printable(error.msg));
   }
   return builder.root;
 }

@@ -13,14 +13,21 @@ namespace {
   throw InputError(value.place, key + ": expected " + expected + ", found " + found_text(value));
 }
 
+/// Whole numbers without exponent.
+std::string limit_text(double limit) {
+  constexpr double kLongest = 1e10;
+  const bool whole = limit == std::floor(limit) && std::abs(limit) < kLongest;
+  return whole ? std::to_string(static_cast<std::int64_t>(limit)) : number_text(limit);
+}
+
 std::string within(const std::string& what, Range range, Range widest = {}) {
   const bool low = range.min > widest.min, high = range.max < widest.max;
   const bool positive = range.min == kPositive.min;
   if (positive && !high) return what + " above 0";
-  if (positive) return what + " in (0, " + number_text(range.max) + "]";
-  if (low && high) return what + " in [" + number_text(range.min) + ", " + number_text(range.max) + "]";
-  if (low) return what + " of at least " + number_text(range.min);
-  if (high) return what + " of at most " + number_text(range.max);
+  if (positive) return what + " in (0, " + limit_text(range.max) + "]";
+  if (low && high) return what + " in [" + limit_text(range.min) + ", " + limit_text(range.max) + "]";
+  if (low) return what + " of at least " + limit_text(range.min);
+  if (high) return what + " of at most " + limit_text(range.max);
   return what;
 }
 

@@ -3,17 +3,12 @@
 #include <string>
 
 #include "core/number_text.hpp"
+#include "core/printable.hpp"
 
 namespace cogslam {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\v\f";
-
-std::string quoted(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  if (word.size() > kLongest) return "'" + std::string(word.substr(0, kLongest)) + "...'";
-  return "'" + std::string(word) + "'";
-}
 
 std::string expectation(std::int64_t min, std::int64_t max) {
   using Limits = std::numeric_limits<std::int64_t>;
@@ -45,7 +40,7 @@ std::string_view LineFields::word(std::string_view name) {
 double LineFields::number(std::string_view name) {
   const std::string_view text = word(name);
   const auto value = parse_number(text);
-  if (!value) fail(std::string(name) + ": expected a number, found " + quoted(text));
+  if (!value) fail(std::string(name) + ": expected a number, found " + in_quotes(text));
   return *value;
 }
 
@@ -53,7 +48,7 @@ std::int64_t LineFields::whole_number(std::string_view name, std::int64_t min, s
   const std::string_view text = word(name);
   const auto value = parse_whole_number(text);
   if (!value || *value < min || *value > max) {
-    fail(std::string(name) + ": expected " + expectation(min, max) + ", found " + quoted(text));
+    fail(std::string(name) + ": expected " + expectation(min, max) + ", found " + in_quotes(text));
   }
   return *value;
 }
@@ -62,7 +57,7 @@ void LineFields::finish() const {
   if (!done()) {
     const std::size_t start = next_start();
     const std::size_t end = std::min(line_.find_first_of(kBlanks, start), line_.size());
-    throw InputError(place(), "expected the end of the line, found " + quoted(line_.substr(start, end - start)));
+    throw InputError(place(), "expected the end of the line, found " + in_quotes(line_.substr(start, end - start)));
   }
 }
 

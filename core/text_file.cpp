@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "core/input_file.hpp"
+
 namespace cogslam {
 namespace {
 
@@ -17,7 +19,7 @@ struct CloseGzip {
 class ByteSource {
  public:
   ByteSource(const std::filesystem::path& file, std::size_t max_bytes) : name_(file.string()), left_(max_bytes) {
-    if (std::filesystem::is_directory(file)) throw InputError({name_}, "is a folder, expected a file");
+    check_input_file(file);
     errno = 0;
     gzip_.reset(gzopen(name_.c_str(), "rb"));
     if (!gzip_) throw InputError({name_}, std::string("cannot be opened: ") + std::strerror(errno));
@@ -28,11 +30,12 @@ class ByteSource {
     errno = 0;
     const int count = gzread(gzip_.get(), buffer_.data(), static_cast<unsigned>(buffer_.size()));
     int code = Z_OK;
-    const char* why = gzerror(gzip_.get(), &code);
+    std::string_view why = gzerror(gzip_.get(), &code);
+    if (why.starts_with(name_ + ": ")) why.remove_prefix(name_.size() + 2);
     // zlib reports a file that ends too early as a buffer error, with the bytes it could still unpack.
     if (code == Z_BUF_ERROR) throw InputError(place, "gzip data is cut off");
     if (code == Z_ERRNO) throw InputError(place, std::string("cannot be read: ") + std::strerror(errno));
-    if (count < 0) throw InputError(place, std::string("gzip data is broken: ") + why);
+    if (count < 0) throw InputError(place, "gzip data is broken: " + std::string(why));
     const auto size = static_cast<std::size_t>(count);
     if (size > left_) throw InputError({name_}, "file is too large, expected at most " + limit_text());
     left_ -= size;
@@ -52,18 +55,30 @@ class ByteSource {
   std::array<char, 1 << 16> buffer_;
 };
 
+/// Text may come in any encoding that keeps ASCII: hosts and comments of old logs are Latin-1. Blanks aside, none holds
+/// control characters.
+void reject_binary(std::string_view line, SourcePlace place) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(line[i]);
+    if ((byte >= 0x20 && byte != 0x7F) || (byte >= '\t' && byte <= '\r')) continue;
+    place.column = static_cast<int>(i) + 1;
+    throw InputError(place, "expected a text file, found binary content");
+  }
+}
+
 }  // namespace
 
 struct LineReader::State {
   ByteSource source;
   std::size_t line_bytes;
+  int lines;
   std::string_view piece{};  // what is left of the last piece read
   std::string line{};
   int number = 0;
 };
 
 LineReader::LineReader(const std::filesystem::path& file, TextLimits limits)
-    : state_(new State{ByteSource(file, limits.file_bytes), limits.line_bytes}) {}
+    : state_(new State{ByteSource(file, limits.file_bytes), limits.line_bytes, limits.lines}) {}
 LineReader::~LineReader() = default;
 LineReader::LineReader(LineReader&&) noexcept = default;
 LineReader& LineReader::operator=(LineReader&&) noexcept = default;
@@ -87,6 +102,8 @@ bool LineReader::next() {
   const bool found = ended || !s.line.empty();
   if (!s.line.empty() && s.line.back() == '\r') s.line.pop_back();
   if (!found) --s.number;
+  if (s.number > s.lines) throw InputError(place(), "too many lines, expected at most " + std::to_string(s.lines));
+  reject_binary(s.line, place());
   return found;
 }
 

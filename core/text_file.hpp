@@ -12,14 +12,16 @@ namespace cogslam {
 
 /// What a file may hold at most, once unpacked. Beyond it reading stops with an InputError.
 struct TextLimits {
-  std::size_t file_bytes = std::size_t{1} << 32;
+  std::size_t file_bytes = std::size_t{1} << 30;
   std::size_t line_bytes = std::size_t{1} << 20;
+  int lines = 1 << 24;  ///< a gzip bomb holds a line end per byte
 };
 
 /// Reads a text file line by line, plain or gzipped (told by its content, not by its name).
 ///
 /// A line end is "\n" or "\r\n"; the last line needs none. Throws InputError naming the file (and the line, once
-/// reading) where it cannot be opened, is a directory, holds broken or cut-off gzip data, or exceeds the limits.
+/// reading) where it cannot be opened, is no regular file, holds broken or cut-off gzip data or control characters, or
+/// exceeds the limits.
 class LineReader {
  public:
   explicit LineReader(const std::filesystem::path& file, TextLimits limits = {});

@@ -50,7 +50,7 @@ TEST(LineFields, ShortensALongFieldInMessages) {
   const std::string text = std::string(1000, '7') + "x";
   LineFields fields(text, kPlace);
   EXPECT_EQ(error_text([&] { fields.number("x"); }),
-            "a.log:12:1: x: expected a number, found '" + std::string(40, '7') + "...'");
+            "a.log:12:1: x: expected a number, found '" + std::string(60, '7') + "...'");
 }
 
 TEST(LineFields, AnEmptyLineHasNoField) {
