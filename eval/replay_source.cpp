@@ -9,7 +9,7 @@ namespace {
 
 std::optional<Rectangle> read_area(ConfigSection section) {
   std::vector<double> corners;
-  section.read("area_m", corners);
+  section.read("area_m", corners, {-1e6, 1e6});
   if (corners.empty()) return std::nullopt;
   if (corners.size() != 4 || corners[0] >= corners[2] || corners[1] >= corners[3]) {
     section.fail("area_m", "area_m: expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1");

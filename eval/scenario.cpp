@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/printable.hpp"
 #include "worlds/polygon.hpp"
 #include "worlds/world_config.hpp"
 
@@ -12,6 +13,7 @@ namespace cogslam {
 namespace {
 
 constexpr std::size_t kLongestName = 100;
+constexpr std::size_t kMostVariants = 1000;
 
 /// The area a map covers in a scenario: the world's bounds and a margin, since readings scatter beyond the walls.
 Rectangle map_area(const World& world, double margin) {
@@ -24,11 +26,11 @@ Rectangle map_area(const World& world, double margin) {
 std::vector<double> read_cell_sizes(ConfigSection& section, double usual) {
   std::vector<double> sizes{usual};
   section.read("cell_sizes_m", sizes, {0.005, 100.0});
-  if (sizes.empty()) section.fail("cell_sizes_m", "expected at least one cell size");
+  if (sizes.empty()) section.fail("cell_sizes_m", "cell_sizes_m: expected at least one cell size");
   std::vector<double> sorted = sizes;
   std::sort(sorted.begin(), sorted.end());
   if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
-    section.fail("cell_sizes_m", "a cell size stands there twice, expected each once");
+    section.fail("cell_sizes_m", "cell_sizes_m: a cell size stands there twice, expected each once");
   }
   return sizes;
 }
@@ -68,7 +70,7 @@ void read_name(ConfigSection& section, std::string& name) {
     return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
   });
   if (!plain || name.empty() || name.front() == '.' || name.size() > kLongestName) {
-    section.fail("name", "name: expected letters, digits, '_', '-' and '.', at most 100, found '" + name + "'");
+    section.fail("name", "name: expected letters, digits, '_', '-' and '.', at most 100, found " + in_quotes(name));
   }
 }
 
@@ -89,7 +91,9 @@ std::vector<VariantConfig> read_variants(ConfigSection& file, const SlamConfig& 
   read_slam_config(section, shared);
 
   std::vector<VariantConfig> kinds;
-  for (ConfigSection& variant : file.sections("variants")) {
+  std::vector<ConfigSection> listed = file.sections("variants");
+  if (listed.size() > kMostVariants) file.fail("variants", "too many variants, expected at most 1000");
+  for (ConfigSection& variant : listed) {
     VariantConfig kind = read_variant(variant, shared);
     const auto same = [&kind](const VariantConfig& other) { return other.name == kind.name; };
     if (std::any_of(kinds.begin(), kinds.end(), same)) {
@@ -101,10 +105,14 @@ std::vector<VariantConfig> read_variants(ConfigSection& file, const SlamConfig& 
     check_slam(section, "store", shared);
     kinds.push_back({.name = "slam", .slam = shared});
   }
+  if (kinds.size() * cell_sizes.size() > kMostVariants) {
+    section.fail("cell_sizes_m", "too many filters to run, expected at most 1000 (variants times cell sizes)");
+  }
   std::vector<VariantConfig> variants;
   for (const double cell_size : cell_sizes) {
     for (VariantConfig variant : kinds) {
       variant.slam.cell_size = cell_size;
+      check_slam(section, "cell_sizes_m", variant.slam);
       variants.push_back(std::move(variant));
     }
   }

@@ -16,7 +16,7 @@ void read_model(ConfigSection& section, CameraModel& model) {
   section.read_degrees("field_of_view_deg", model.field_of_view, {1.0, 150.0});
   section.read("height_above_floor_m", model.height_above_floor, {0.01, 10.0});
   Eigen::Vector2d mount = model.T_base_camera.position();
-  section.read("mount_m", mount);
+  section.read("mount_m", mount, {-10.0, 10.0});
   section.read_degrees("mount_yaw_deg", model.T_base_camera.theta, {-180.0, 180.0});
   model.T_base_camera = {mount.x(), mount.y(), wrap_angle(model.T_base_camera.theta)};
 }
@@ -41,7 +41,7 @@ void read(ConfigSection& section, FloorCameraConfig& config) {
   section.read("exposure_s", config.exposure, {0.0, 1.0});
   section.read("exposure_steps", config.exposure_steps, {1, 100});
   read_light(section, config.light);
-  section.read("blackouts_s", config.blackouts, kNotNegative);
+  section.read("blackouts_s", config.blackouts, {0.0, 1e6});
   for (const Eigen::Vector2d& span : config.blackouts) {
     if (span.x() >= span.y()) section.fail("blackouts_s", "a blackout ends before it begins, expected [from, to]");
   }

@@ -10,9 +10,9 @@ void require(const ConfigSection& section, const std::string& key) {
 Waypoint read_waypoint(ConfigSection section) {
   Waypoint waypoint;
   require(section, "x_m");
-  section.read("x_m", waypoint.p_map.x());
+  section.read("x_m", waypoint.p_map.x(), {-1e4, 1e4});
   require(section, "y_m");
-  section.read("y_m", waypoint.p_map.y());
+  section.read("y_m", waypoint.p_map.y(), {-1e4, 1e4});
   section.read_choice("heading", waypoint.mode,
                       {{"along", LegHeading::kAlong},
                        {"keep", LegHeading::kKeep},
@@ -48,7 +48,8 @@ DriveConfig read_drive_config(ConfigSection& section) {
   section.read_choice("kind", config.kind, {{"waypoints", DriveKind::kWaypoints}, {"script", DriveKind::kScript}});
   if (config.kind == DriveKind::kScript) {
     for (ConfigSection& part : section.sections("script")) config.script.push_back(read_scripted_twist(part));
-    if (config.script.empty()) section.fail("script", "nothing to drive, expected a list of {duration_s, vx_m_s, ...}");
+    if (config.script.empty())
+      section.fail("script", "drive: nothing to drive, expected a list of {duration_s, vx_m_s, ...} under script");
     return config;
   }
   section.read("speed_m_s", config.speed, {0.01, 5.0});
@@ -58,7 +59,8 @@ DriveConfig read_drive_config(ConfigSection& section) {
   section.read("arrival_m", config.arrival, {0.005, 1.0});
   section.read_degrees("arrival_deg", config.arrival_yaw, {0.2, 90.0});
   for (ConfigSection& part : section.sections("waypoints")) config.waypoints.push_back(read_waypoint(part));
-  if (config.waypoints.empty()) section.fail("waypoints", "nowhere to drive, expected a list of {x_m, y_m, ...}");
+  if (config.waypoints.empty())
+    section.fail("waypoints", "drive: nowhere to drive, expected a list of {x_m, y_m, ...} under waypoints");
   return config;
 }
 

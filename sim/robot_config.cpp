@@ -6,29 +6,29 @@ namespace cogslam {
 namespace {
 
 void read_body(ConfigSection& section, RobotConfig& config) {
-  section.read("wheel_radius_m", config.geometry.wheel_radius, kPositive);
-  section.read("half_length_m", config.geometry.half_length, kPositive);
-  section.read("half_width_m", config.geometry.half_width, kPositive);
+  section.read("wheel_radius_m", config.geometry.wheel_radius, {1e-3, 2.0});
+  section.read("half_length_m", config.geometry.half_length, {1e-3, 2.5});
+  section.read("half_width_m", config.geometry.half_width, {1e-3, 2.5});
   section.read("length_m", config.length, {0.05, 5.0});
   section.read("width_m", config.width, {0.05, 5.0});
-  section.read("mass_kg", config.mass, kPositive);
-  section.read("inertia_kg_m2", config.inertia, kPositive);
-  section.read("wheel_inertia_kg_m2", config.wheel_inertia, kPositive);
+  section.read("mass_kg", config.mass, {0.01, 1e5});
+  section.read("inertia_kg_m2", config.inertia, {1e-6, 1e6});
+  section.read("wheel_inertia_kg_m2", config.wheel_inertia, {1e-8, 1e4});
   section.read("friction", config.friction, {0.0, 2.0});
   section.read("wall_friction", config.wall_friction, {0.0, 2.0});
 }
 
 void read_motor(ConfigSection section, MotorConfig& motor) {
-  section.read("kp_n_m_s_per_rad", motor.kp, kNotNegative);
-  section.read("ki_n_m_per_rad", motor.ki, kNotNegative);
-  section.read("max_torque_n_m", motor.max_torque, kNotNegative);
-  section.read("max_speed_rad_s", motor.max_speed, kPositive);
+  section.read("kp_n_m_s_per_rad", motor.kp, {0.0, 1e6});
+  section.read("ki_n_m_per_rad", motor.ki, {0.0, 1e6});
+  section.read("max_torque_n_m", motor.max_torque, {0.0, 1e6});
+  section.read("max_speed_rad_s", motor.max_speed, {1e-3, 1e4});
 }
 
 void read_roughness(ConfigSection section, RoughnessConfig& roughness) {
   section.read("rolling", roughness.rolling, {0.0, 0.2});
   section.read("grip", roughness.grip, {0.0, 0.5});
-  section.read("length_m", roughness.length, kPositive);
+  section.read("length_m", roughness.length, {1e-4, 1000.0});
 }
 
 }  // namespace

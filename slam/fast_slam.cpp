@@ -8,6 +8,11 @@
 #include "slam/resampling.hpp"
 
 namespace cogslam {
+namespace {
+
+constexpr double kFarthestMargin = 1e6;  // cells; what odometry that knows nothing would ask for
+
+}  // namespace
 
 FastSlam::FastSlam(const SlamConfig& config, std::uint32_t seed, Workers& workers, StageListener* listener)
     : config_(config),
@@ -66,6 +71,7 @@ void FastSlam::follow(const Reading& reading) {
 void FastSlam::step(const Reading& reading) {
   stage_.enter(Stage::kPrepare);
   sweep_ = sweep_of(reading, config_.sweep);
+  if (!config_.area) grow_reach();
   probes_ = map_workers_[0]->likelihood().probes_of(sweep_);
   spread_motion();
   waiting_.add(records_, reading);
@@ -98,6 +104,15 @@ void FastSlam::spread_motion() {
   spread_ = tracker_->spread() + drift_.released();
 }
 
+/// Before any particle's map grows: to where the best one's will.
+void FastSlam::grow_reach() {
+  const CellWindow seen = window_of(sweep_, T_map_base(), config_.cell_size);
+  if (seen.empty()) return;
+  reach_.include(seen.min);
+  reach_.include(seen.max);
+  check_reach(reach_);
+}
+
 void FastSlam::advance(Particle& particle, std::size_t slot, const Reading& reading, MapWorker& worker) const {
   const double before = particle.log_weight;
   Rng rng(
@@ -127,6 +142,7 @@ void FastSlam::load_around(const Pose2& T_map_base, const Particle& particle, in
   if (waiting_.ripe() && particle.waiting.size() > 0) {
     window = hull(window, window_of(entering_, particle.waiting[0], config_.cell_size));
   }
+  if (!config_.area) check_reach(window);
   worker.load(particle.map, window);
 }
 
@@ -171,7 +187,7 @@ int FastSlam::search_margin_cells() const {
   double longest = 0.0;
   for (const Beam& beam : sweep_) longest = std::max(longest, beam.end.norm());
   const double shift = farthest_move(spread_, longest, config_.matcher);
-  return static_cast<int>(std::ceil(shift / config_.cell_size)) + 1;
+  return static_cast<int>(std::ceil(std::min(shift / config_.cell_size, kFarthestMargin))) + 1;
 }
 
 void FastSlam::record_paths() {

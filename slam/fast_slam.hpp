@@ -6,6 +6,7 @@
 #include "core/parallel.hpp"
 #include "slam/filter_statistics.hpp"
 #include "slam/loop_drift.hpp"
+#include "slam/map/reach.hpp"
 #include "slam/map_worker.hpp"
 #include "slam/particle.hpp"
 #include "slam/path_tree.hpp"
@@ -53,6 +54,7 @@ class FastSlam {
   void load_around(const Pose2& T_map_base, const Particle& particle, int margin_cells, MapWorker& worker) const;
   [[nodiscard]] int search_margin_cells() const;
   void record_paths();
+  void grow_reach();
   void choose_best();
   void resample_if_due();
   void account();
@@ -73,6 +75,7 @@ class FastSlam {
   std::size_t records_ = 0;  ///< readings taken
   FilterStatistics statistics_{};
   std::size_t best_ = 0;
+  CellWindow reach_;  ///< what maps without a stated area have grown to
 
   // Of the scan being registered, the same for all particles.
   std::vector<Beam> sweep_;

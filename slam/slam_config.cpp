@@ -5,6 +5,7 @@
 
 #include "core/check.hpp"
 #include "core/number_text.hpp"
+#include "slam/map/reach.hpp"
 
 namespace cogslam {
 namespace {
@@ -63,8 +64,8 @@ void read_motion(ConfigSection section, MotionModelConfig& motion) {
 
 void read_sweep(ConfigSection section, SweepConfig& sweep) {
   section.read("beams", sweep.beams, {1, 1e6});
-  section.read("max_hit_range_m", sweep.max_hit_range, kPositive);
-  section.read("max_free_range_m", sweep.max_free_range, kPositive);
+  section.read("max_hit_range_m", sweep.max_hit_range, {0.01, 300.0});
+  section.read("max_free_range_m", sweep.max_free_range, {0.01, 300.0});
   section.read("carve_no_return", sweep.carve_no_return);
 }
 
@@ -78,19 +79,19 @@ void read_matcher(ConfigSection section, ScanMatcherConfig& matcher) {
 void read_tracker(ConfigSection section, TrackerConfig& tracker) {
   section.read("used", tracker.used);
   section.read("beams", tracker.beams, {1, 100000});
-  section.read("gap_m", tracker.gap, kPositive);
+  section.read("gap_m", tracker.gap, {1e-3, 100.0});
   section.read("keys", tracker.keys, {1, 1000});
   section.read("cell_m", tracker.cell, {1e-3, 10.0});
-  section.read_degrees("turn_step_deg", tracker.turn_step, kPositive);
+  section.read_degrees("turn_step_deg", tracker.turn_step, {1e-3, 180.0});
   section.read("inflation", tracker.inflation, {1e-3, 1e3});
-  section.read("least_sigma_m", tracker.least_sigma_position, kPositive);
-  section.read_degrees("least_sigma_deg", tracker.least_sigma_heading, kPositive);
+  section.read("least_sigma_m", tracker.least_sigma_position, {1e-6, 10.0});
+  section.read_degrees("least_sigma_deg", tracker.least_sigma_heading, {1e-5, 180.0});
   section.read("spread", tracker.spread, {1e-3, 1e3});
   section.read("spread_m", tracker.spread_position, {1e-6, 10.0});
   section.read_degrees("spread_deg", tracker.spread_heading, {1e-5, 180.0});
-  section.read("first_reach_m", tracker.match.first_reach, kPositive);
-  section.read("last_reach_m", tracker.match.last_reach, kPositive);
-  section.read("sigma_m", tracker.match.sigma, kPositive);
+  section.read("first_reach_m", tracker.match.first_reach, {0.05, 10.0});
+  section.read("last_reach_m", tracker.match.last_reach, {1e-3, 10.0});
+  section.read("sigma_m", tracker.match.sigma, {1e-4, 10.0});
   section.read("point_share", tracker.match.point_share, {1e-6, 1.0});
 }
 
@@ -111,15 +112,15 @@ void check_lattice(ConfigSection& section, const SlamConfig& config) {
   if (trouble && log_odds.has(trouble->key)) log_odds.fail(trouble->key, trouble->key + ": " + trouble->message);
 }
 
-constexpr double kLongestSide = 32768.0;  // cells: what the transforms take, and 4 GB of floats
+constexpr double kLongestSide = 32768.0;  // cells: what the transforms take
 constexpr double kFinestShare = 100.0;
 
 void check_size(const Rectangle& area, double cell_size) {
   const Eigen::Vector2d cells = (area.max - area.min) / cell_size;
   const double farthest = std::max(area.min.cwiseAbs().maxCoeff(), area.max.cwiseAbs().maxCoeff()) / cell_size;
-  if (cells.maxCoeff() > kLongestSide || farthest > 1e9) {
+  if (cells.maxCoeff() > kLongestSide || cells.prod() > kMostMapCells || farthest > kFarthestCell) {
     throw InputError("map area of " + number_text(std::ceil(cells.x())) + " x " + number_text(std::ceil(cells.y())) +
-                     " cells, expected at most 32768 along a side and no corner beyond 10^9 cells");
+                     " cells, expected at most 32768 along a side, 268435456 in all, and no corner beyond 10^9 cells");
   }
 }
 
@@ -180,8 +181,8 @@ void read_slam_config(ConfigSection& section, SlamConfig& config) {
   read_tracker(section.section("tracker"), config.tracker);
   read_motion(section.section("motion"), config.motion);
   ConfigSection registration = section.section("registration");
-  registration.read("distance_m", config.registration.distance, kPositive);
-  registration.read_degrees("turn_deg", config.registration.turn, kPositive);
+  registration.read("distance_m", config.registration.distance, {1e-6, 1e6});
+  registration.read_degrees("turn_deg", config.registration.turn, {1e-6, 1e6});
   read_loops(section.section("loops"), config.loops);
   read_likelihood(section.section("likelihood"), config.likelihood);
   read_matcher(section.section("matcher"), config.matcher);

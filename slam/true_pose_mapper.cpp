@@ -22,7 +22,13 @@ bool TruePoseMapper::update(const Reading& reading, const Pose2& T_map_base) {
   }
   motion_.restart();
   const std::vector<Beam> sweep = sweep_of(reading, config_.sweep);
-  map_.load(window_of(sweep, T_map_base, config_.cell_size), scratch_);
+  const CellWindow window = window_of(sweep, T_map_base, config_.cell_size);
+  if (!config_.area && !window.empty()) {
+    reach_.include(window.min);
+    reach_.include(window.max);
+    check_reach(reach_);
+  }
+  map_.load(window, scratch_);
   map_.commit(updater_.integrate(sweep, T_map_base, config_.log_odds, scratch_.log_odds), scratch_);
   map_.settle(static_cast<std::uint64_t>(statistics_.registered) + 1);
 

@@ -4,6 +4,7 @@
 
 #include "slam/filter_statistics.hpp"
 #include "slam/map/inverse_sensor_model.hpp"
+#include "slam/map/reach.hpp"
 #include "slam/slam_config.hpp"
 
 namespace cogslam {
@@ -26,6 +27,7 @@ class TruePoseMapper {
   MapStore map_;
   MapScratch scratch_;
   MapUpdater updater_;
+  CellWindow reach_;  ///< what a map without a stated area has grown to
   MotionModel motion_;
   FilterStatistics statistics_{};
 };

@@ -5,12 +5,15 @@
 #include <numeric>
 #include <optional>
 
+#include "core/error.hpp"
 #include "worlds/polygon.hpp"
 
 namespace cogslam {
 namespace {
 
-constexpr double kSame = 1e-9;  // [m]
+constexpr double kSame = 1e-9;                   // [m]
+constexpr std::size_t kMostPieces = 10'000'000;  // of surfaces, cut at every corner and crossing: 0.5 GB
+constexpr const char* kTooCrowded = "too many surfaces lie above each other or cross, expected fewer or shorter ones";
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Interval {
@@ -57,6 +60,7 @@ std::vector<double> slab_borders(const std::vector<Segment>& surfaces) {
       const auto [first, second] = std::minmax(order[i], order[j]);
       if (const auto x = crossing_x(surfaces[first], surfaces[second])) all.push_back(*x);
     }
+    if (all.size() > kMostPieces) throw InputError(kTooCrowded);
   }
   std::sort(all.begin(), all.end());
   std::vector<double> out;
@@ -108,8 +112,11 @@ std::vector<std::vector<Segment>> FreeSpace::fill_slabs(const std::vector<Segmen
   const auto border_of = [this](double x) {
     return static_cast<std::size_t>(std::lower_bound(borders_.begin(), borders_.end(), x - kSame) - borders_.begin());
   };
+  std::size_t pieces = 0;
   for (const Segment& s : surfaces) {
     const std::size_t first = border_of(s.a.x()), last = border_of(s.b.x());
+    pieces += last - first;
+    if (pieces > kMostPieces) throw InputError(kTooCrowded);
     if (is_upright(s)) upright[first].push_back(s);
     for (std::size_t i = first; i < last; ++i) slabs_[i + 1].surfaces.push_back(s);
   }

@@ -13,7 +13,7 @@ namespace cogslam {
 /// joined. Gaps and corners that differ by less than a nanometre are the same.
 ///
 /// n surfaces cost O(n^2) to build at worst, far less where most lie apart along x, and O(log n) to ask. Loops may
-/// touch, overlap and enclose each other.
+/// touch, overlap and enclose each other. Throws InputError where surfaces would be cut into more than 10^7 pieces.
 class FreeSpace {
  public:
   explicit FreeSpace(const World& world);

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
+#include "core/printable.hpp"
 #include "worlds/map_contours.hpp"
 #include "worlds/map_file.hpp"
 
 namespace cogslam {
 namespace {
+
+constexpr std::size_t kLongestName = 1000;  // of a file, in messages
 
 MapContourConfig read_contour_config(ConfigSection& section) {
   MapContourConfig config;
@@ -51,8 +54,13 @@ World read_map_world(ConfigSection& section) {
   section.read("map", file);
   const MapContourConfig config = read_contour_config(section);
   std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) section.fail("map", "map: there is no " + file.string());
+  if (!std::filesystem::exists(file, ignored))
+    section.fail("map", "map: there is no " + printable(file.string(), kLongestName));
   const auto map = std::make_shared<const OccupancyMap>(read_map_file(file));
+  if (const std::size_t corners = count_corners(*map, config.unknown_is_solid); corners > kMostMapCorners) {
+    section.fail("map", "map: its cells have " + std::to_string(corners) + " corners, expected a floor of at most " +
+                            std::to_string(kMostMapCorners));
+  }
   World world = map_contours(*map, config);
   check_surfaces(section, file, world.segments());
   world.map = map;

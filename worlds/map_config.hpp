@@ -6,6 +6,7 @@
 namespace cogslam {
 
 // What a world drawn from a map may have at most, so that it is there within a few seconds and 500 MB.
+constexpr std::size_t kMostMapCorners = 1'000'000;  ///< of its cells, before loops are made simpler
 constexpr std::size_t kMostMapSurfaces = 50'000;
 constexpr std::size_t kMostMapPieces = 10'000'000;  ///< that the slabs of FreeSpace cut them into
 

@@ -1,6 +1,7 @@
 #include "worlds/map_contours.hpp"
 
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 namespace cogslam {
 namespace {
@@ -45,6 +46,24 @@ Contour simplified(const Contour& contour, double tolerance_cells) {
 }
 
 }  // namespace
+
+std::size_t count_corners(const OccupancyMap& map, bool unknown_is_solid) {
+  const auto solid = [&](int x, int y) {
+    const MapCell cell = map.at({x, y});
+    return cell == MapCell::kOccupied || (cell == MapCell::kUnknown && unknown_is_solid) ? 1 : 0;
+  };
+  std::size_t corners = 0;
+  for (int y = -1; y < map.height; ++y) {
+    int below = solid(-1, y), above = solid(-1, y + 1);
+    for (int x = 0; x <= map.width; ++x) {
+      const int left_below = std::exchange(below, solid(x, y)), left_above = std::exchange(above, solid(x, y + 1));
+      const int count = left_below + left_above + below + above;
+      const bool touch = count == 2 && left_below == above;
+      corners += touch ? 2 : count == 1 || count == 3 ? 1 : 0;
+    }
+  }
+  return corners;
+}
 
 World map_contours(const OccupancyMap& map, const MapContourConfig& config) {
   const int margin = config.unknown_is_solid ? 1 : 0;

@@ -10,6 +10,10 @@ struct MapContourConfig {
   double simplify = 0.0;          ///< how far a surface may run beside the cells' own [m]; 0: not at all
 };
 
+/// Corners of the outline of the solid cells, two where squares touch at a corner: about as many as the loops will
+/// have. Needs no memory, so it may be asked of any picture first.
+std::size_t count_corners(const OccupancyMap& map, bool unknown_is_solid);
+
 /// Surfaces of the occupied cells of a map, as walls and obstacles of a world without a start.
 ///
 /// Each border of a group of cells that touch (by sides or corners), its outer one and those of its holes, becomes a

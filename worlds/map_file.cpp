@@ -5,6 +5,7 @@
 #include "core/angle.hpp"
 #include "core/config.hpp"
 #include "core/number_text.hpp"
+#include "core/printable.hpp"
 #include "worlds/map_image.hpp"
 
 namespace cogslam {
@@ -12,7 +13,8 @@ namespace {
 
 enum class MapMode { kTrinary, kScale, kRaw };
 
-constexpr double kFarthest = 1000.0;  // physics in floats keeps a tenth of a millimetre there [m]
+constexpr std::size_t kLongestName = 1000;  // of a file, in messages
+constexpr double kFarthest = 1000.0;        // physics in floats keeps a tenth of a millimetre there [m]
 
 struct MapHead {
   std::filesystem::path image;
@@ -94,7 +96,7 @@ OccupancyMap read_map_file(const std::filesystem::path& yaml) {
   const MapHead head = read_head(section);
   std::error_code ignored;
   if (!std::filesystem::exists(head.image, ignored)) {
-    section.fail("image", "image: there is no " + head.image.string());
+    section.fail("image", "image: there is no " + printable(head.image.string(), kLongestName));
   }
   return map_of(head, read_map_image(head.image));
 }

@@ -66,12 +66,27 @@ bool read_rows(PngReader& reader, png_bytepp rows) {
   return true;
 }
 
+/// libpng would only say that the header is invalid. The size stands behind the magic, and a chunk's length and name.
+void check_promised_size(const std::string& bytes, const std::string& name) {
+  constexpr std::size_t kHead = 16;
+  if (bytes.size() < kHead + 8) return;
+  const auto word = [&](std::size_t at) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+  };
+  check_image_size(word(kHead), word(kHead + 4), name);
+}
+
 }  // namespace
 
 MapImage decode_png(const std::string& bytes, const std::string& name) {
+  check_promised_size(bytes, name);
   PngBytes source{bytes};
   PngReader reader(source);
-  const auto fail = [&] { throw InputError({name}, std::string("broken PNG: ") + source.reason); };
+  const auto fail = [&] {
+    throw InputError({name}, std::string("broken PNG: ") + source.reason + ", expected a whole picture");
+  };
   if (!read_header(reader)) fail();
   const png_uint_32 width = png_get_image_width(reader.png, reader.info);
   const png_uint_32 height = png_get_image_height(reader.png, reader.info);

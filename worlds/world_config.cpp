@@ -12,12 +12,18 @@ namespace {
 
 enum class WorldKind { kSimple, kCornered, kCluttered, kHallway, kPolygons, kMap };
 
+/// Where anything may stand [m].
+constexpr Range kAnywhere{-1e4, 1e4};
+constexpr std::size_t kMostCorners = 10000;   // of a loop
+constexpr std::size_t kMostSurfaces = 20000;  // of the world
+
 /// A start nearer to a surface than this [m] is on it.
 constexpr double kOnSurface = 1e-6;
 
 Polygon read_corners(ConfigSection& section) {
   Polygon corners;
-  section.read("corners_m", corners);
+  section.read("corners_m", corners, kAnywhere);
+  if (corners.size() > kMostCorners) section.fail("corners_m", "the loop has too many corners, expected at most 10000");
   if (const auto wrong = defect(corners)) section.fail("corners_m", "the loop " + *wrong);
   return corners;
 }
@@ -25,8 +31,8 @@ Polygon read_corners(ConfigSection& section) {
 Polygon read_box(ConfigSection section) {
   Pose2 T_map_box;
   double width = 0.5, length = 0.5;
-  section.read("x_m", T_map_box.x);
-  section.read("y_m", T_map_box.y);
+  section.read("x_m", T_map_box.x, kAnywhere);
+  section.read("y_m", T_map_box.y, kAnywhere);
   section.read_degrees("heading_deg", T_map_box.theta);
   section.read("width_m", width, {0.01, kLargestRoom});
   section.read("length_m", length, {0.01, kLargestRoom});
@@ -90,21 +96,34 @@ void read_floor(ConfigSection section, Floor& floor) {
 void read_slip_patches(ConfigSection& section, World& world) {
   for (ConfigSection& patch : section.sections("slip_patches")) {
     SlipPatch& out = world.slip_patches.emplace_back();
-    patch.read("x_m", out.centre.x());
-    patch.read("y_m", out.centre.y());
-    patch.read("radius_m", out.radius, kPositive);
+    patch.read("x_m", out.centre.x(), kAnywhere);
+    patch.read("y_m", out.centre.y(), kAnywhere);
+    patch.read("radius_m", out.radius, {1e-3, 1e4});
     patch.read("friction", out.friction, {0.0, 1.0});
   }
 }
 
 void read_start(ConfigSection section, Pose2& start) {
-  section.read("x_m", start.x);
-  section.read("y_m", start.y);
+  section.read("x_m", start.x, kAnywhere);
+  section.read("y_m", start.y, kAnywhere);
   section.read_degrees("heading_deg", start.theta);
   start.theta = wrap_angle(start.theta);
 }
 
+FreeSpace free_space(const ConfigSection& section, const World& world) {
+  try {
+    return FreeSpace(world);
+  } catch (const InputError& error) {
+    section.fail(world.map ? "map" : section.has("obstacles") ? "obstacles" : "walls", error.what());
+  }
+}
+
 void check_world(const ConfigSection& section, const World& world) {
+  const std::size_t most = kMostSurfaces + (world.map ? kMostMapSurfaces : 0);
+  if (world.segments().size() > most) {
+    section.fail(section.has("obstacles") ? "obstacles" : "walls",
+                 "too many surfaces in the world, expected at most " + std::to_string(most));
+  }
   const Rectangle area = world.bounds();
   const Eigen::Vector2d extent = area.max - area.min;
   if (extent.maxCoeff() > kLargestRoom) {
@@ -118,7 +137,7 @@ void check_world(const ConfigSection& section, const World& world) {
   for (const Polygon& obstacle : world.obstacles) {
     if (inside(obstacle, start)) section.fail("start", "the start lies within an obstacle, expected free floor");
   }
-  if (!FreeSpace(world).is_closed()) {
+  if (!free_space(section, world).is_closed()) {
     section.fail("start", world.map ? "the map's walls do not close around the start, expected a start inside them, or "
                                       "`unknown: solid`, which closes them"
                                     : "the walls do not close around the start, expected a start inside the room");

@@ -10,6 +10,7 @@
 #include "core/config.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/printable.hpp"
 #include "core/text_file.hpp"
 #include "slam/map/log_odds.hpp"
 #include "worlds/rooms.hpp"
@@ -39,11 +40,11 @@ std::size_t read_row(std::string_view line, SourcePlace place, std::vector<float
     const auto value = parse_number(field);
     if (!value) {
       place.column = static_cast<int>(begin) + 1;
-      throw InputError(place, "expected a number, found '" + std::string(field) + "'");
+      throw InputError(place, "expected a number, found " + in_quotes(field));
     }
     if (std::abs(*value) > static_cast<double>(std::numeric_limits<float>::max())) {
       place.column = static_cast<int>(begin) + 1;
-      throw InputError(place, "expected a number in the range of a float, found '" + std::string(field) + "'");
+      throw InputError(place, "expected a number in the range of a float, found " + in_quotes(field));
     }
     values.push_back(static_cast<float>(*value));
     begin = end + 1;
@@ -60,6 +61,7 @@ Grid<float> read_csv(const std::filesystem::path& file) {
   while (reader.next()) {
     if (reader.line().empty()) continue;
     const std::size_t count = read_row(reader.line(), reader.place(), values);
+    if (values.size() > kMostFileCells) throw InputError(reader.place(), "too many values, expected at most 67108864");
     if (height++ == 0) width = count;
     if (count != width) {
       throw InputError(reader.place(), std::to_string(count) + " values in this row, expected " +
@@ -95,7 +97,8 @@ Grid<float> lab_map(const std::string& name, double cell_size) {
   const std::filesystem::path file(name);
   if (file.extension() == ".npy") return read_npy(file);
   std::error_code ignored;
-  if (std::filesystem::exists(file, ignored) || file.extension() == ".csv") return read_csv(file);
+  if (symlink_status(file, ignored).type() != std::filesystem::file_type::not_found || file.extension() == ".csv")
+    return read_csv(file);
   return ideal_room_map(name, cell_size);
 }
 

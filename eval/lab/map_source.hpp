@@ -16,6 +16,9 @@ namespace cogslam {
 /// suggestion. Values must be finite, rows of one length, at least one cell.
 Grid<float> lab_map(const std::string& name, double cell_size);
 
+/// Cells of a map out of a file [8192 x 8192].
+constexpr std::size_t kMostFileCells = std::size_t{1} << 26;
+
 Grid<float> read_npy(const std::filesystem::path& file);
 Grid<float> read_csv(const std::filesystem::path& file);
 

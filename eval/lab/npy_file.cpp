@@ -5,13 +5,14 @@
 #include <string_view>
 
 #include "core/number_text.hpp"
+#include "core/printable.hpp"
 #include "core/text_file.hpp"
 #include "eval/lab/map_source.hpp"
 
 namespace cogslam {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 31;
+constexpr std::size_t kMostBytes = kMostFileCells * sizeof(double) + 65536 + 10;
 constexpr std::size_t kPreamble = 10;  // magic, version, length of the header
 
 std::uint64_t little_endian(std::string_view bytes) {
@@ -51,16 +52,20 @@ Grid<float> read_npy(const std::filesystem::path& file) {
   const std::string bytes = read_text_file(file, kMostBytes);
   const auto fail = [&](const std::string& what) { throw InputError({file.string()}, what); };
   const std::string_view all(bytes);
-  if (all.size() < kPreamble || !all.starts_with("\x93NUMPY\x01")) fail("not a NumPy file of version 1");
+  if (all.size() < kPreamble || !all.starts_with("\x93NUMPY\x01"))
+    fail("is no NumPy file of version 1, expected one that begins with \\x93NUMPY\\x01");
   const std::size_t length = little_endian(all.substr(8, 2));
-  if (all.size() < kPreamble + length) fail("cut off within its header");
+  if (all.size() < kPreamble + length)
+    fail("cut off within its header, expected " + std::to_string(length) + " bytes of it");
   const std::string_view header = all.substr(kPreamble, length);
   const bool wide = entry(header, "'descr'", ',') == "'<f8'";
   if (!wide && entry(header, "'descr'", ',') != "'<f4'") fail("expected float32 or float64 values ('<f4' or '<f8')");
   if (entry(header, "'fortran_order'", ',') != "False") fail("expected C order ('fortran_order': False)");
   const auto shape = shape_of(entry(header, "'shape'", ')'));
-  if (!shape) fail("expected two dimensions, rows and columns");
+  if (!shape)
+    fail("has the shape " + printable(entry(header, "'shape'", ')')) + "), expected two dimensions, rows and columns");
   const std::size_t size = wide ? 8 : 4, cells = static_cast<std::size_t>(shape->height * shape->width);
+  if (cells > kMostFileCells) fail("has " + std::to_string(cells) + " values, expected at most 67108864");
   const std::string_view data = all.substr(kPreamble + length);
   if (data.size() != cells * size) {
     fail("holds " + std::to_string(data.size()) + " bytes of values, expected " + std::to_string(cells * size));
@@ -71,7 +76,8 @@ Grid<float> read_npy(const std::filesystem::path& file) {
     const double value = wide ? std::bit_cast<double>(bits)
                               : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
     map.values()[i] = static_cast<float>(value);
-    if (!std::isfinite(map.values()[i])) fail("a value is not a finite float: number " + std::to_string(i + 1));
+    if (!std::isfinite(map.values()[i]))
+      fail("value " + std::to_string(i + 1) + " is " + number_text(value) + ", expected finite floats");
   }
   return map;
 }

@@ -11,13 +11,13 @@
 #include "core/line_fields.hpp"
 #include "core/text_file.hpp"
 #include "eval/metrics/path_error.hpp"
+#include "sensors/log/plausible.hpp"
 
 namespace cogslam {
 namespace {
 
 constexpr double kLocalTravel = 5.0;             // [m]
 constexpr Duration kStampTolerance{20'000'000};  // 0.02 s
-constexpr double kLatestStamp = 6.4e9;           // [s]; what still fits into nanoseconds
 constexpr Duration kSameStamp{500};              // seconds as double tell apart 0.1 us in our days
 
 /// Finds records by stamp although the stamps of real logs jump backwards.
@@ -77,8 +77,14 @@ RelationStats stats(const Sizes& sizes) {
 Time read_stamp(LineFields& fields, std::string_view name) {
   const double seconds = fields.number(name);
   if (std::abs(seconds) > kLatestStamp)
-    fields.fail(std::string(name) + ": expected seconds, found more than 200 years");
+    fields.fail(std::string(name) + ": expected seconds, found more than 140 years");
   return Time::from_seconds(seconds);
+}
+
+double read_position(LineFields& fields, std::string_view name) {
+  const double position = fields.number(name);
+  if (std::abs(position) > kFarthest) fields.fail(std::string(name) + ": expected at most 1e6 m");
+  return position;
 }
 
 void read_zero(LineFields& fields, std::string_view name) {
@@ -89,8 +95,8 @@ Relation read_relation(LineFields fields) {
   Relation relation;
   relation.from = read_stamp(fields, "t1");
   relation.to = read_stamp(fields, "t2");
-  relation.T_from_to.x = fields.number("x");
-  relation.T_from_to.y = fields.number("y");
+  relation.T_from_to.x = read_position(fields, "x");
+  relation.T_from_to.y = read_position(fields, "y");
   for (const char* name : {"z", "roll", "pitch"}) read_zero(fields, name);
   relation.T_from_to.theta = wrap_angle(fields.number("yaw"));
   fields.finish();

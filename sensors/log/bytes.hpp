@@ -88,6 +88,8 @@ class ByteReader {
     if (left() > 0) fail_at(next_, std::to_string(left()) + " bytes too many, expected the end of the record");
   }
   [[noreturn]] void fail(const std::string& message) const { fail_at(next_, message); }
+  /// Complains about the part as a whole.
+  [[noreturn]] void fail_whole(const std::string& message) const { fail_at(0, message); }
 
  private:
   [[noreturn]] void fail_at(std::size_t index, const std::string& message) const {

@@ -6,11 +6,15 @@
 #include <string_view>
 #include <utility>
 
+#include "core/number_text.hpp"
 #include "core/text_file.hpp"
 #include "sensors/log/carmen_message.hpp"
+#include "sensors/log/plausible.hpp"
 
 namespace cogslam {
 namespace {
+
+constexpr std::size_t kMostRecords = 4'000'000;  // a week at 7 Hz, 1 GB
 
 /// Equality as the benchmark's metric has it (numpy.allclose), so that both number the records alike.
 bool close(double a, double b) { return std::abs(a - b) <= 1e-9 + 1e-5 * std::abs(b); }
@@ -27,11 +31,11 @@ class LogBuilder {
 
   void set_laser_offset(double x) { T_base_lidar_.x = x; }
 
-  void add(const CarmenMessage& message) {
+  void add(const CarmenMessage& message, const SourcePlace& place) {
     if (last_ && same_record(*last_, message)) {
       ++log.merged_lines;
     } else {
-      start_record(message);
+      start_record(message, place);
       last_ = message;
     }
     if (!message.laser) return;
@@ -47,7 +51,9 @@ class LogBuilder {
   CarmenLog log;
 
  private:
-  void start_record(const CarmenMessage& message) {
+  void start_record(const CarmenMessage& message, const SourcePlace& place) {
+    if (log.readings.size() == kMostRecords)
+      throw InputError(place, "the log is too long, expected at most 4000000 records");
     Reading reading;
     reading.sequence = log.readings.size();
     reading.stamp = message.stamp;
@@ -55,6 +61,10 @@ class LogBuilder {
     reading.motion.source = MotionSource::kLog;
     if (last_) {
       reading.motion.T_before_now = last_->T_odom_base.inverse() * message.T_odom_base;
+      if (const double way = reading.motion.T_before_now.position().norm(); way > kLongestMotion) {
+        throw InputError(place, "odometry jumps " + number_text(std::round(way)) +
+                                    " m since the record before, expected at most 1000 m");
+      }
       reading.motion.covariance = config_.odometry_noise.covariance(reading.motion.T_before_now);
     }
     log.readings.push_back(std::move(reading));
@@ -83,7 +93,7 @@ class LogBuilder {
 
 CarmenLogConfig read_carmen_log_config(ConfigSection& section) {
   CarmenLogConfig c;
-  section.read("no_return_m", c.no_return_m, kPositive);
+  section.read("no_return_m", c.no_return_m, {1e-3, 1e4});
   ConfigSection noise = section.section("odometry_noise");
   c.odometry_noise = read_odometry_noise(noise);
   return c;
@@ -98,13 +108,15 @@ CarmenLog read_carmen_log(const std::filesystem::path& file, const CarmenLogConf
     const std::string_view kind = fields.word("message");
     if (kind.front() == '#') continue;
     if (kind == "ODOM") {
-      builder.add(parse_odom(fields));
+      builder.add(parse_odom(fields), in.place());
     } else if (kind == "FLASER") {
-      builder.add(parse_flaser(fields));
+      builder.add(parse_flaser(fields), in.place());
     } else if (kind == "ROBOTLASER1") {
-      builder.add(parse_robotlaser(fields));
+      builder.add(parse_robotlaser(fields), in.place());
     } else if (kind == "PARAM" && fields.word("parameter") == "robot_frontlaser_offset") {
-      builder.set_laser_offset(fields.number("robot_frontlaser_offset"));
+      const double offset = fields.number("robot_frontlaser_offset");
+      if (std::abs(offset) > kFarthestMount) fields.fail("robot_frontlaser_offset: expected at most 100 m");
+      builder.set_laser_offset(offset);
     } else if (kind != "PARAM") {
       ++builder.log.ignored_lines;
     }

@@ -18,12 +18,12 @@ Eigen::Matrix3d OdometryNoise::covariance(const Pose2& T_before_now) const {
 
 OdometryNoise read_odometry_noise(ConfigSection& section) {
   OdometryNoise n;
-  section.read("position_per_m", n.position_per_m, kNotNegative);
-  section.read("position_per_rad", n.position_per_rad, kNotNegative);
-  section.read_degrees("heading_per_m_deg", n.heading_per_m, kNotNegative);
-  section.read_degrees("heading_per_rad_deg", n.heading_per_rad, kNotNegative);
-  section.read("position_floor_m", n.position_floor_m, kPositive);
-  section.read_degrees("heading_floor_deg", n.heading_floor, kPositive);
+  section.read("position_per_m", n.position_per_m, {0.0, 10.0});
+  section.read("position_per_rad", n.position_per_rad, {0.0, 10.0});
+  section.read_degrees("heading_per_m_deg", n.heading_per_m, {0.0, 360.0});
+  section.read_degrees("heading_per_rad_deg", n.heading_per_rad, {0.0, 360.0});
+  section.read("position_floor_m", n.position_floor_m, {1e-9, 10.0});
+  section.read_degrees("heading_floor_deg", n.heading_floor, {1e-9, 180.0});
   return n;
 }
 

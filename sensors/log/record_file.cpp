@@ -1,16 +1,21 @@
 #include "sensors/log/record_file.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <span>
 
 #include "core/check.hpp"
 #include "core/hash.hpp"
+#include "core/input_file.hpp"
 #include "core/output_file.hpp"
 
 namespace cogslam {
 namespace {
 
 constexpr std::size_t kMagicSize = 8;
+constexpr std::size_t kHeadSize = kMagicSize + sizeof(std::uint32_t);
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 32;
 
 std::uint64_t hash_of(std::string_view bytes) {
   Hash hash;
@@ -23,13 +28,32 @@ void put_record(ByteWriter& out, std::uint8_t kind, std::string_view payload) {
   out.put_text(payload);
 }
 
-std::string load(const std::filesystem::path& file, const std::string& name) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) throw InputError({name}, "not found, expected a file");
-  const auto size = std::filesystem::file_size(file, error);
+/// Takes magic and version off, and complains where they are not those of `format`.
+void take_head(ByteReader& in, const RecordFormat& format) {
+  if (in.take_raw(kMagicSize, "the magic") != format.magic)
+    throw InputError({in.file()},
+                     "byte 0: wrong magic, expected a file that begins with '" + std::string(format.magic) + "'");
+  if (const auto version = in.take<std::uint32_t>("the version"); version != format.version)
+    throw InputError({in.file()},
+                     "byte 8: version " + std::to_string(version) + ", expected " + std::to_string(format.version));
+}
+
+std::string load(const std::filesystem::path& file, const std::string& name, const RecordFormat& format) {
+  check_input_file(file);
+  errno = 0;
   std::ifstream in(file, std::ios::binary);
-  if (error || !in) throw InputError({name}, "cannot be opened, expected a readable file");
-  std::string bytes(static_cast<std::size_t>(size), '\0');
+  if (!in) throw InputError({name}, std::string("cannot be opened: ") + std::strerror(errno));
+  std::string bytes(kHeadSize, '\0');
+  in.read(bytes.data(), kHeadSize);
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  ByteReader head(bytes, name);
+  take_head(head, format);  // before memory is asked for what may be no such file
+  const auto size = std::filesystem::file_size(file);
+  if (size > kMostBytes)
+    throw InputError({name}, "file is too large, expected at most " + std::to_string(kMostBytes) + " bytes");
+  bytes.resize(static_cast<std::size_t>(size));
+  in.clear();
+  in.seekg(0);
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(in.gcount()));
   return bytes;
@@ -57,18 +81,13 @@ void RecordFileWriter::write(const std::filesystem::path& file) const {
 }
 
 RecordFile::RecordFile(const std::filesystem::path& file, const RecordFormat& format)
-    : name_(file.string()), bytes_(load(file, name_)) {
+    : name_(file.string()), bytes_(load(file, name_, format)) {
   split(format);
 }
 
 void RecordFile::split(const RecordFormat& format) {
   ByteReader in(bytes_, name_);
-  if (in.take_raw(kMagicSize, "the magic") != format.magic)
-    throw InputError({name_},
-                     "byte 0: wrong magic, expected a file that begins with '" + std::string(format.magic) + "'");
-  if (const auto version = in.take<std::uint32_t>("the version"); version != format.version)
-    throw InputError({name_},
-                     "byte 8: version " + std::to_string(version) + ", expected " + std::to_string(format.version));
+  take_head(in, format);
   while (true) {
     const std::size_t start = in.offset();
     const auto kind = in.take<std::uint8_t>("a record's kind");

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "core/hash.hpp"
+#include "sensors/log/plausible.hpp"
 #include "sensors/log/reading_codec.hpp"
 #include "sensors/log/record_file.hpp"
 
@@ -11,6 +12,10 @@ namespace {
 
 constexpr RecordFormat kFormat{"COGSREAD", 1};
 enum RecordKind : std::uint8_t { kHeader = 1, kReading = 2 };
+
+void reject(const ByteReader& payload, const std::optional<std::string>& defect) {
+  if (defect) payload.fail_whole(*defect);
+}
 
 }  // namespace
 
@@ -29,6 +34,8 @@ void write_recording(const std::filesystem::path& file, const Recording& recordi
 }
 
 bool is_recording(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return false;
   std::string begin(kFormat.magic.size(), '\0');
   std::ifstream in(file, std::ios::binary);
   in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
@@ -43,9 +50,11 @@ Recording read_recording(const std::filesystem::path& file) {
     if (kind == kHeader && !has_header) {
       recording.source = payload.take_text("the source");
       recording.start = take_pose(payload, "the start");
+      reject(payload, defect(recording.start));
       has_header = true;
     } else if (kind == kReading && has_header) {
       recording.readings.push_back(take_reading(payload));
+      reject(payload, defect(recording.readings.back()));
     } else {
       payload.fail("record of kind " + std::to_string(kind) + ", expected one header (1), then readings (2)");
     }

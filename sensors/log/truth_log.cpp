@@ -1,5 +1,6 @@
 #include "sensors/log/truth_log.hpp"
 
+#include "sensors/log/plausible.hpp"
 #include "sensors/log/reading_codec.hpp"
 #include "sensors/log/record_file.hpp"
 
@@ -9,6 +10,10 @@ namespace {
 constexpr RecordFormat kFormat{"COGSTRUE", 1};
 enum RecordKind : std::uint8_t { kHeader = 1, kWorld = 2, kPose = 3, kReference = 4 };
 constexpr std::uint8_t kFloorKinds = static_cast<std::uint8_t>(FloorKind::kPlain) + 1;
+
+void reject(const ByteReader& payload, const std::optional<std::string>& defect) {
+  if (defect) payload.fail_whole(*defect);
+}
 
 void put_polygons(ByteWriter& out, const std::vector<Polygon>& polygons) {
   out.put_count(polygons.size());
@@ -118,13 +123,16 @@ TruthLog read_truth_log(const std::filesystem::path& file) {
         break;
       case kWorld:
         log.world = take_world(payload);
+        reject(payload, defect(log.world));
         has_world = true;
         break;
       case kPose:
         log.poses.push_back(take_true_pose(payload));
+        reject(payload, defect(log.poses.back().T_map_base));
         break;
       case kReference:
         log.references.push_back(take_reference(payload));
+        reject(payload, defect(log.references.back().T_map_base));
         break;
       default:
         payload.fail("record of kind " + std::to_string(kind) + ", expected 1 to 4");

@@ -1,6 +1,8 @@
 #include "slam/map/inverse_sensor_model.hpp"
 
 #include "core/cell_walk.hpp"
+#include "core/error.hpp"
+#include "slam/map/reach.hpp"
 
 namespace cogslam {
 namespace {
@@ -99,8 +101,12 @@ CellWindow window_of(const std::vector<Beam>& sweep, const Pose2& T_map_base, do
   const ToCells to_cells(T_map_base, cell_size);
   CellWindow window;
   for (const Beam& beam : sweep) {
-    window.include(cell_at(to_cells(beam.origin)));
-    window.include(cell_at(to_cells(beam.end)));
+    for (const Eigen::Vector2d& p : {to_cells(beam.origin), to_cells(beam.end)}) {
+      if (!(p.cwiseAbs().maxCoeff() < kFarthestCell)) {
+        throw InputError("a scan lies more than 10^9 cells from the map's origin: look for jumps in the odometry");
+      }
+      window.include(cell_at(p));
+    }
   }
   return window;
 }

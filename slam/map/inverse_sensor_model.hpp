@@ -35,7 +35,7 @@ class MapUpdater {
   std::uint32_t round_ = 0;
 };
 
-/// The lattice cells that a sweep from this pose can touch.
+/// The lattice cells that a sweep from this pose can touch. Throws InputError beyond kFarthestCell.
 CellWindow window_of(const std::vector<Beam>& sweep, const Pose2& T_map_base, double cell_size);
 
 }  // namespace cogslam

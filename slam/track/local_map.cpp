@@ -9,8 +9,9 @@
 namespace cogslam {
 namespace {
 
-constexpr double kFreeMargin = 0.3;  // m: so far before the end of a beam all is free
-constexpr double kSameSide = 0.5;    // cos 60 deg: the other side of a thin wall is another surface
+constexpr double kFarthestKey = 200.0;  // m: from beyond a scan says nothing here, and the index would grow
+constexpr double kFreeMargin = 0.3;     // m: so far before the end of a beam all is free
+constexpr double kSameSide = 0.5;       // cos 60 deg: the other side of a thin wall is another surface
 
 struct Keyed {
   std::int32_t y, x;
@@ -45,6 +46,8 @@ void LocalMap::add(const std::vector<SurfacePoint>& points, const RangeView& vie
     point.position = T_map_base * point.position;
   }
   scans_.push_back(std::move(key));
+  const auto too_far = [&](const Key& old) { return (old.T_base_map * T_map_base.position()).norm() > kFarthestKey; };
+  std::erase_if(scans_, too_far);
   if (scans_.size() > keys_) scans_.pop_front();
   average();
   index();

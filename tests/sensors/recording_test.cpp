@@ -20,11 +20,12 @@ Recording sample_recording() {
     r.sequence = i;
     r.stamp = {static_cast<std::int64_t>(i) * 25'000'000 - (i == 7 ? 900'000'000 : 0)};  // stamps may jump back
     r.motion.T_before_now = {rng.normal(), rng.normal(), rng.normal()};
-    r.motion.covariance << 1, 2, 3, 4, 5, 6, 7, 8, rng.uniform();
+    r.motion.covariance << 4, 1, 0.5, 1, 3, 0.25, 0.5, 0.25, 1 + rng.uniform();
     r.motion.source = static_cast<MotionSource>(i % 3);
     r.twist = {rng.normal(), -0.0, rng.normal()};
     if (i % 2 == 0) {
       r.scan.emplace();
+      r.scan->range_max = 30.0;
       r.scan->time_increment = {17361};
       r.scan->T_base_lidar = {0.1, 0.2, 0.3};
       r.scan->ranges = {1.0F, Scan::kNoReturn, Scan::kTooClose, Scan::kInvalid, std::bit_cast<float>(0x7fc12345u),
@@ -123,7 +124,8 @@ TEST_F(RecordingFile, SaysWhatIsWrong) {
 }
 
 TEST_F(RecordingFile, MissingFileIsNamed) {
-  EXPECT_EQ(error_of([&] { read_recording("no/such.rec"); }), "no/such.rec: not found, expected a file");
+  EXPECT_EQ(error_of([&] { read_recording("no/such.rec"); }),
+            "no/such.rec: cannot be opened: No such file or directory");
 }
 
 TEST(ReadingsHash, ChangesWithEveryField) {

@@ -158,6 +158,21 @@ OccupancyMap disc(double radius_cells, double resolution) {
   return map_on(grid.frame(), grid.values());
 }
 
+TEST(MapContours, CountsCornersBeforeItDraws) {
+  constexpr MapCell o = MapCell::kFree, x = MapCell::kOccupied, u = MapCell::kUnknown;
+  const auto count = [](int width, std::vector<MapCell> cells, bool unknown_is_solid = false) {
+    const int height = static_cast<int>(cells.size()) / width;
+    return count_corners({.width = width, .height = height, .cells = std::move(cells)}, unknown_is_solid);
+  };
+  EXPECT_EQ(count(1, {x}), 4u);
+  EXPECT_EQ(count(2, {x, x, x, x}), 4u);
+  EXPECT_EQ(count(2, {x, x, x, o}), 6u);
+  EXPECT_EQ(count(2, {x, o, o, x}), 8u) << "two cells that touch at a corner";
+  EXPECT_EQ(count(3, {x, x, x, x, o, x, x, x, x}), 8u) << "a hole";
+  EXPECT_EQ(count(2, {u, o, o, o}), 0u);
+  EXPECT_EQ(count(2, {u, o, o, o}, true), 6u) << "all beyond is solid too";
+}
+
 TEST(MapContours, SimplifiesWithinItsTolerance) {
   const OccupancyMap map = disc(60.3, 0.05);
   const World exact = map_contours(map);
