@@ -1,8 +1,10 @@
 #include "cli/results.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <map>
+#include <string_view>
+#include <utility>
 #include "cli/exit_codes.hpp"
 #include "eval/report/table.hpp"
 
@@ -29,17 +31,26 @@ void print_record(const RunRecord& record, bool json) {
   fmt::print("\n{}", costs_text(record));
 }
 
+/// Once per kind of degradation, not once per filter.
+void warn_of_degradation(const RunRecord& record, ProgressLine& progress) {
+  std::map<std::string_view, std::pair<int, std::string_view>> found;
+  for (const VariantRecord& variant : record.variants) {
+    for (const Degradation& degradation : variant.scores.degraded) {
+      auto& [count, words] = found[degradation.key];
+      words = degradation.words;
+      ++count;
+    }
+  }
+  for (const auto& [key, what] : found) {
+    progress.warn(fmt::format("degraded result ({}, {} of {} filters): {}", key, what.first, record.variants.size(),
+                              what.second));
+  }
+}
+
 }  // namespace
 
 void check_out(const Options& options) {
-  if (options.no_files) return;
-  if (options.out.empty()) throw InputError("--out: expected a folder, found nothing");
-  std::filesystem::path at = std::filesystem::absolute(options.out);
-  std::error_code error;
-  while (!std::filesystem::exists(at, error) && at.has_relative_path()) at = at.parent_path();
-  if (!std::filesystem::is_directory(at, error) || access(at.c_str(), W_OK | X_OK) != 0) {
-    throw InputError("--out " + options.out.string() + ": expected a folder that can be written to");
-  }
+  if (!options.no_files) check_out_folder(options.out);
 }
 
 int publish(const RunFiles& files, const Options& options, ProgressLine& progress) {
@@ -48,14 +59,13 @@ int publish(const RunFiles& files, const Options& options, ProgressLine& progres
     progress.warn("nothing measured: the readings hold no scan");
     return kNothingMeasured;
   }
+  warn_of_degradation(files.episode.record, progress);
   if (!options.no_files) {  // before the table: whoever reads that may stop reading
     const std::filesystem::path folder = write_run_folder(options.out, files, progress.begin());
     progress.say("wrote " + folder.string());
   }
   progress.clear();
   print_record(files.episode.record, options.json);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw InputError("standard output: cannot write the result");
   return kOk;
 }
 

@@ -40,6 +40,12 @@ Json confusion(const std::optional<std::array<std::array<std::size_t, 3>, 2>>& c
   return {{"truth_free", row(0)}, {"truth_occupied", row(1)}};
 }
 
+Json keys(const std::vector<Degradation>& degraded) {
+  Json all = Json::array();
+  for (const Degradation& degradation : degraded) all.push_back(degradation.key);
+  return all;
+}
+
 Json scores(const Scores& s) {
   return {{"path_mse_m2", or_null(s.path_mse_m2)},
           {"heading_mse_rad2", or_null(s.heading_mse_rad2)},
@@ -65,6 +71,7 @@ Json scores(const Scores& s) {
           {"payload_bytes_bitmap", or_null(s.payload_bytes_bitmap)},
           {"bytes", or_null(s.bytes)},
           {"bytes_peak", or_null(s.bytes_peak)},
+          {"degraded", keys(s.degraded)},
           {"state_hash", or_null(s.state_hash)},
           {"map_hash", or_null(s.map_hash)},
           {"relations", {{"online", relations(s.relations_online)}, {"final", relations(s.relations_final)}}}};

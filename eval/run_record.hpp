@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "eval/degradation.hpp"
 #include "eval/metrics/relations.hpp"
 #include "eval/metrics/stage_times.hpp"
 
@@ -43,6 +44,7 @@ struct Scores {
   std::optional<double> payload_bytes_bitmap;  ///< the same with a bitmap for the index; coefficients only
   std::optional<double> bytes;                 ///< all-in, per particle, mean over registered scans
   std::optional<std::uint64_t> bytes_peak;     ///< all-in, per particle, peak
+  std::vector<Degradation> degraded;           ///< why the figures above mean less than usual; empty: nothing of note
   std::optional<std::string> state_hash;       ///< of the filter at the end
   std::optional<std::string> map_hash;         ///< of the final map
   std::optional<RelationErrors> relations_online;

@@ -1,6 +1,7 @@
 #include "eval/variant_run.hpp"
 
 #include "core/check.hpp"
+#include "core/error.hpp"
 #include "core/hash.hpp"
 #include "eval/metrics/map_error.hpp"
 #include "eval/metrics/path_completion.hpp"
@@ -131,7 +132,12 @@ void run_filter(const VariantConfig& variant, std::uint32_t seed, const Recordin
     if (progress) {  // each time: with many particles one reading takes seconds
       progress(static_cast<double>(i) / static_cast<double>(recording.readings.size()));
     }
-    const bool registered = slam.update(recording.readings[i]);
+    bool registered = false;
+    try {
+      registered = slam.update(recording.readings[i]);
+    } catch (const InputError& error) {
+      throw InputError({recording.source}, "reading " + std::to_string(i) + ": " + error.what());
+    }
     run.online.push_back(slam.T_map_base());
     odometry.push_back(slam.T_odom_base());
     watch.after(i, registered, slam.last_scan(), belief);
@@ -224,6 +230,7 @@ VariantRun run_variant(const VariantConfig& variant, std::uint32_t seed, const R
     costs.rss_bytes_above_start = *peak - std::min(*peak, *rss_before);
   }
   scores.map_hash = map_hash(run.map);
+  scores.degraded = degradations(recording, variant.slam.sweep, run.map);
   scores.payload_bytes_bitmap = bitmap_payload(variant.slam, *scores.payload_bytes);
   if (evidence.truth != nullptr) {
     score_map(run.map, *evidence.truth, scores);
