@@ -2,6 +2,7 @@
 
 #include "cli/exit_codes.hpp"
 #include "cli/lab.hpp"
+#include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "eval/lab/figure.hpp"
 
@@ -23,6 +24,7 @@ std::vector<int> chosen(const FiguresArguments& arguments) {
 
 int run(const FiguresArguments& arguments) {
   const std::vector<int> numbers = chosen(arguments);
+  check_out_folder(arguments.out);
   ProgressLine progress(static_cast<int>(numbers.size()), arguments.options.quiet);
   const StageBegin begin = progress.begin();
   Workers workers(arguments.options.threads);

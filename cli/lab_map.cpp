@@ -2,6 +2,7 @@
 
 #include "cli/exit_codes.hpp"
 #include "cli/lab.hpp"
+#include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
@@ -87,7 +88,7 @@ Command lab_map_command(CLI::App& lab) {
       "alone, 4 bytes.");
   parser->add_option("MAP", arguments->map, "map of log-odds: a file, or a room; see below")->required();
   parser->add_option("--cell-size", arguments->cell_size, "of a room [m]")
-      ->check(CLI::Range(0.005, 100.0))
+      ->check(number_in(0.005, 100.0))
       ->capture_default_str();
   parser->add_option("--basis", arguments->bases, "haar, haar_standard, haar_1d, dct, dct_1d, hadamard, identity")
       ->capture_default_str();

@@ -2,6 +2,7 @@
 
 #include "cli/exit_codes.hpp"
 #include "cli/lab.hpp"
+#include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "core/output_file.hpp"
 #include "eval/lab/figure.hpp"
@@ -25,6 +26,7 @@ void write_files(const std::filesystem::path& folder, const SignalStudy& study,
 int run(const SignalArguments& arguments) {
   const SignalStudy study{
       .methods = lab_methods_named(arguments.methods), .percents = twenty_percents(), .seeds = arguments.options.seeds};
+  if (!arguments.out.empty()) check_out_folder(arguments.out);
   ProgressLine progress(1, arguments.options.quiet);
   Workers workers(arguments.options.threads);
   const std::vector<SignalScore> scores =

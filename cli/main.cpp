@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <iostream>
+#include <new>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,9 +16,11 @@
 namespace cogslam {
 namespace {
 
+constexpr const char* kNoOutput = "standard output cannot be written";
+
 int complain(int code, const char* what) {
   std::fflush(stdout);
-  fmt::print(stderr, "cogslam: {}\n", what);
+  std::fputs(fmt::format("cogslam: {}\n", what).c_str(), stderr);  // where that is full too, no exception
   return code;
 }
 
@@ -24,7 +28,7 @@ int run_parsed(const std::vector<Command>& commands) {
   for (const Command& command : commands) {
     if (!command.parser->parsed()) continue;
     const int code = command.run();
-    if (std::fflush(stdout) != 0) return complain(kRunFailed, "standard output cannot be written");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return complain(kRunFailed, kNoOutput);
     return code;
   }
   return kUsageError;
@@ -63,13 +67,17 @@ int main_program(int argc, char** argv) {
     watch_for_interrupts();
     return run_parsed(commands);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? kOk : kUsageError;
+    const int code = program.exit(error);
+    if (!std::cout.flush()) return complain(kRunFailed, kNoOutput);
+    return code == 0 ? kOk : kUsageError;
   } catch (const InputError& error) {
     return complain(kUsageError, error.what());
   } catch (const Interrupted&) {
     return complain(kInterrupted, "interrupted, nothing written");
+  } catch (const std::bad_alloc&) {
+    return complain(kRunFailed, "out of memory: use larger cells, a smaller area, fewer particles or fewer threads");
   } catch (const std::exception& error) {
-    return complain(kRunFailed, error.what());
+    return complain(kRunFailed, std::ferror(stdout) != 0 ? kNoOutput : error.what());
   }
 }
 

@@ -1,7 +1,10 @@
 #include "cli/options.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <map>
 #include <thread>
 
@@ -44,13 +47,13 @@ void add_options(CLI::App& parser, Options& options) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   parser.add_option("--particles", options.particles, "particles of every variant")->check(CLI::Range(1, 1000000));
-  parser.add_option("--cell-size", options.cell_size, "run at this one cell size [m]")->check(CLI::Range(0.005, 100.0));
+  parser.add_option("--cell-size", options.cell_size, "run at this one cell size [m]")->check(number_in(0.005, 100.0));
   parser
       .add_option("--store", options.store,
                   "run only the variants that keep their maps so; where the file lists none, the store to use")
       ->check(CLI::IsMember({"dense", "coefficients", "tiles", "two_resolution", "lattice"}));
   parser.add_option("--percent", options.percent_kept, "coefficients kept, of 100 per map cell")
-      ->check(CLI::Range(1e-6, 100.0));
+      ->check(number_in(1e-6, 100.0));
   parser.add_option("--out", options.out, "folder that the run's folder is put into")
       ->type_name("DIR")
       ->capture_default_str();
@@ -83,6 +86,32 @@ Overrides overrides_of(const Options& options, const std::filesystem::path& file
     overrides.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
   }
   return overrides;
+}
+
+void check_out_folder(const std::filesystem::path& out) {
+  if (out.empty()) throw InputError("--out: expected a folder, found nothing");
+  std::error_code error;
+  std::filesystem::path at = std::filesystem::absolute(out, error);
+  // A link that leads nowhere is there, and no folder can be made in its place.
+  const auto missing = [&] { return symlink_status(at, error).type() == std::filesystem::file_type::not_found; };
+  while (missing() && at.has_relative_path()) at = at.parent_path();
+  const std::string expected = ", expected a folder that can be written to";
+  if (!std::filesystem::is_directory(at, error)) {
+    throw InputError("--out " + out.string() + ": " + (error ? error.message() : "Not a directory") + expected);
+  }
+  if (access(at.c_str(), W_OK | X_OK) != 0) {
+    throw InputError("--out " + out.string() + ": " + std::strerror(errno) + expected);
+  }
+}
+
+CLI::Validator number_in(double min, double max) {
+  const std::string range = fmt::format("FLOAT in [{} - {}]", min, max);
+  return {[=](std::string& text) {
+            double value = 0.0;
+            if (CLI::detail::lexical_cast(text, value) && value >= min && value <= max) return std::string{};
+            return fmt::format("Value {} not in range {} to {}", text, min, max);
+          },
+          range};
 }
 
 std::vector<VariantConfig> chosen_variants(const Options& options, const std::vector<VariantConfig>& variants) {

@@ -38,6 +38,12 @@ void add_setting_options(CLI::App& parser, Options& options);
 /// of the file. Throws InputError for a --set without '='.
 Overrides overrides_of(const Options& options, const std::filesystem::path& file);
 
+/// Throws InputError where `out` names a place that cannot be written to, before hours are spent on a run.
+void check_out_folder(const std::filesystem::path& out);
+
+/// CLI::Range for figures, but it takes no NaN.
+CLI::Validator number_in(double min, double max);
+
 /// The variants that --store leaves. Throws InputError where none is left.
 std::vector<VariantConfig> chosen_variants(const Options& options, const std::vector<VariantConfig>& variants);
 

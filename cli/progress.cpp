@@ -15,6 +15,9 @@ namespace {
 constexpr double kRedrawSeconds = 0.2;
 constexpr double kLeastDone = 0.02;  // before that the time left is a guess of nothing
 
+/// Who cannot be told is not told; fmt::print would throw.
+void tell(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
 }  // namespace
 
 struct ProgressLine::Stage {
@@ -40,7 +43,7 @@ void ProgressLine::start(const std::string& name) {
   stop_if_interrupted();
   ++number_;
   stage_ = std::make_unique<Stage>(Stage{fmt::format("[{}/{}] {}", number_, stages_, name)});
-  if (!quiet_ && !terminal_) fmt::print(stderr, "{}\n", stage_->title);
+  if (!quiet_ && !terminal_) tell(stage_->title + "\n");
 }
 
 void ProgressLine::report(double done) {
@@ -61,20 +64,20 @@ void ProgressLine::end_stage() {
   if (terminal_) {
     redraw(text);
   } else {
-    fmt::print(stderr, "{}\n", text);
+    tell(text + "\n");
   }
 }
 
 void ProgressLine::say(const std::string& message) {
   end_stage();
   clear();
-  if (!quiet_) fmt::print(stderr, "{}\n", message);
+  if (!quiet_) tell(message + "\n");
 }
 
 void ProgressLine::warn(const std::string& message) {
   end_stage();
   clear();
-  fmt::print(stderr, "cogslam: {}\n", message);
+  tell("cogslam: " + message + "\n");
 }
 
 void ProgressLine::clear() {
@@ -83,7 +86,7 @@ void ProgressLine::clear() {
 
 void ProgressLine::redraw(const std::string& text) {
   if (quiet_) return;
-  fmt::print(stderr, "\r\033[K{}", text);
+  tell("\r\033[K" + text);
   std::fflush(stderr);
 }
 

@@ -24,13 +24,15 @@ struct ReplayArguments {
 ReplayConfig load_config(const ReplayArguments& arguments) {
   const Options& options = arguments.options;
   const std::filesystem::path& file = arguments.scenario.empty() ? arguments.config : arguments.scenario;
-  Overrides overrides = overrides_of(options, file);
+  const Overrides overrides = overrides_of(options, file);
   if (!arguments.scenario.empty()) {
     Scenario scenario = load_scenario(file, overrides);
     return {.seed = scenario.seed, .variants = std::move(scenario.variants), .resolved = std::move(scenario.resolved)};
   }
-  if (!arguments.area.empty()) overrides.insert(overrides.begin(), {"map.area_m", "[" + arguments.area + "]"});
   ConfigSection section = file.empty() ? ConfigSection::parse("", "options of replay") : ConfigSection::load(file);
+  if (!arguments.area.empty()) {
+    section.override_value("map.area_m", "[" + arguments.area + "]", "--area " + arguments.area);
+  }
   for (const auto& [path, text] : overrides) section.override_value(path, text);
   return read_replay_config(std::move(section));
 }
@@ -38,7 +40,12 @@ ReplayConfig load_config(const ReplayArguments& arguments) {
 std::optional<TruthLog> load_truth(const std::filesystem::path& file, const Recording& recording) {
   if (file.empty()) return std::nullopt;
   TruthLog truth = read_truth_log(file);
-  if (truth.readings_hash != readings_hash(recording.readings) || truth.poses.size() != recording.readings.size()) {
+  const std::size_t poses = truth.poses.size(), readings = recording.readings.size();
+  if (poses != readings) {
+    throw InputError({file.string()},
+                     fmt::format("holds {} true poses, expected one for each of {} readings", poses, readings));
+  }
+  if (truth.readings_hash != readings_hash(recording.readings)) {
     throw InputError({file.string()}, "the truth of other readings (" + truth.readings_hash + "), expected that of " +
                                           readings_hash(recording.readings));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/exit_codes.hpp"
+#include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "cli/sense.hpp"
 #include "eval/sense/figure.hpp"
@@ -29,6 +30,7 @@ std::vector<const SenseFigure*> chosen(const FiguresArguments& arguments) {
 int run(FiguresArguments& arguments) {
   const std::vector<const SenseFigure*> figures = chosen(arguments);
   if (!arguments.map.empty()) arguments.config.map = read_field_map(arguments.map);
+  check_out_folder(arguments.out);
   ProgressLine progress(static_cast<int>(figures.size()), arguments.options.quiet);
   const StageBegin begin = progress.begin();
   Workers workers(arguments.options.threads);

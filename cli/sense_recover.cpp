@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "cli/exit_codes.hpp"
+#include "cli/options.hpp"
 #include "cli/progress.hpp"
 #include "cli/sense.hpp"
 #include "core/error.hpp"
@@ -78,7 +79,7 @@ Command sense_recover_command(CLI::App& sense) {
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
   parser->add_option("--gap", arguments->study.stop_at_gap, "relative duality gap that ends a recovery")
-      ->check(CLI::Range(1e-9, 1.0))
+      ->check(number_in(1e-9, 1.0))
       ->capture_default_str();
   parser->add_option("--iterations", arguments->study.max_iterations, "most of one recovery")
       ->check(CLI::Range(0, 100000000))

@@ -107,7 +107,7 @@ TEST(Run, StopsAtAnInterruptAndLeavesNothing) {
   const std::string out = folder.path() / "runs";
   const Outcome outcome =
       run_program({"run", COGSLAM_SOURCE_DIR "/scenarios/simple.yaml", "--set", "duration_s=600", "--out", out},
-                  "simulating simple");
+                  {.interrupt_at = "simulating simple"});
   EXPECT_EQ(outcome.code, kInterrupted);
   EXPECT_EQ(outcome.out, "");
   EXPECT_THAT(outcome.err, HasSubstr("interrupted, nothing written"));

@@ -41,7 +41,8 @@ TEST(Usage, NamesWhatIsMissingOrUnknown) {
   expect_usage_error({"lab", "sgnal"}, "unknown command 'sgnal'; did you mean 'signal'?");
   expect_usage_error({"lab", "tables"}, "unknown command 'tables', expected one of signal, map, figures");
   expect_usage_error({"lab", "signal", "--seeds", "1"}, "--seeds: Value 1 not in range 2 to 100000");
-  expect_usage_error({"lab", "figures", "1", "--out", kSimple + "/figures"}, kSimple + "/figures: cannot be written");
+  expect_usage_error({"lab", "figures", "1", "--out", kSimple + "/figures"},
+                     "--out " + kSimple + "/figures: Not a directory");
   expect_usage_error({"run"}, "SCENARIO is required");
   expect_usage_error({"run", kSimple, "--speed", "3"}, "--speed");
   expect_usage_error({"run", kSimple, "-j", "0"}, "--threads");
@@ -71,7 +72,7 @@ TEST(Usage, ChecksSettings) {
 TEST(Usage, FindsAnOutputFolderThatCannotBeBeforeItRuns) {
   const TemporaryFolder folder;
   const std::string file = folder.file("file", "");
-  expect_usage_error({"run", kSimple, "--out", file}, "--out " + file + ": expected a folder");
+  expect_usage_error({"run", kSimple, "--out", file}, "--out " + file + ": Not a directory, expected a folder");
   expect_usage_error({"run", kSimple, "--out", file + "/below"}, "expected a folder");
 }
 
