@@ -24,6 +24,8 @@ std::string number_in_text(const Json& value) {
   return std::abs(number) < 1000.0 ? fmt::format("{:.4g}", number) : fmt::format("{:.0f}", number);
 }
 
+std::vector<std::string> texts_of(const Json& list) { return list.get<std::vector<std::string>>(); }
+
 /// A mean of squares also as its root, in the unit that people think in.
 std::string root_in_html(std::string_view key, const Json& value) {
   if (!value.is_number()) return {};
@@ -38,6 +40,8 @@ std::string root_in_html(std::string_view key, const Json& value) {
 std::string value_in_html(const Json& value) {
   if (value.is_null()) return kNotMeasured;
   if (value.is_string()) return "<code>" + markup_text(value.get<std::string>()) + "</code>";
+  if (value.is_array())
+    return value.empty() ? "none" : markup_text(fmt::format("{}", fmt::join(texts_of(value), ", ")));
   if (!value.is_object()) return number_in_text(value);
   std::string lines;
   for (const auto& [name, part] : value.items()) {

@@ -77,6 +77,10 @@ constexpr std::array kWords{
         "Lower, at equal path and map error."},
     ScoreWords{"bytes_peak", "All bytes per particle, peak", "bytes", "The most there was at any registered scan.",
                "Lower: it is what must fit into memory."},
+    ScoreWords{"degraded", "Reasons to doubt", "",
+               "Why the figures mean less than usual: no_returns, no beam came back and the path is odometry's; "
+               "empty_map, no scan changed a cell.",
+               "None."},
     ScoreWords{"state_hash", "Fingerprint of the filter", "",
                "Names the whole state of the filter at the end, bit for bit.", "Equal fingerprints: equal runs."},
     ScoreWords{"map_hash", "Fingerprint of the map", "", "Names the final map, bit for bit.",

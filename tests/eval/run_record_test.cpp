@@ -56,7 +56,8 @@ TEST(RunRecord, WritesEveryFigureUnderItsOwnKey) {
   s.rpe_trans_m = 8.5, s.rpe_rot_rad = 9.5, s.grid_mse = 10.5, s.grid_mse_all = 11.5, s.grid_mse_logodds = 12.5;
   s.grid_log_score = 13.5, s.path_mse_vs_baseline_m2 = 14.5, s.grid_mse_vs_baseline = 15.5;
   s.registered = 16, s.tracked = 17, s.resamplings = 18, s.ancestors_100 = 19;
-  s.payload_bytes = 20.5, s.bytes = 21.5, s.bytes_peak = 22, s.state_hash = "23", s.map_hash = "24";
+  s.payload_bytes = 20.5, s.bytes = 21.5, s.bytes_peak = 22, s.degraded = {kNoReturns, kEmptyMap}, s.state_hash = "23",
+  s.map_hash = "24";
   v.costs = {.cpu_s = 25.5,
              .cpu_ms_per_registered = 26.5,
              .cpu_stages_s = StageSeconds{1, 2, 3, 4, 5, 6, 7},
@@ -88,6 +89,7 @@ TEST(RunRecord, WritesEveryFigureUnderItsOwnKey) {
                     {"payload_bytes_bitmap", nullptr},
                     {"bytes", 21.5},
                     {"bytes_peak", 22},
+                    {"degraded", {"no_returns", "empty_map"}},
                     {"state_hash", "23"},
                     {"map_hash", "24"},
                     {"relations", {{"online", nullptr}, {"final", nullptr}}}};

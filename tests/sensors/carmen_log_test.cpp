@@ -110,7 +110,8 @@ TEST_F(CarmenLogFile, NamesThePlaceOfABrokenLine) {
               testing::StartsWith(name + ":2:18: timestamp: expected seconds, found '1e300'"));
   EXPECT_THAT(error(good + "ODOM 1 2 3 0 0 0\n"), testing::StartsWith(name + ":2:"));
   EXPECT_THAT(error(good + "ROBOTLASER1 0 0 0 0 20 0 0 2 1 1 0 0 0 0 0 0 0 0 0 0 0 0 1 h 1\n"),
-              testing::HasSubstr("angular_resolution is not positive"));
+              testing::HasSubstr(
+                  ":2:19: angular_resolution: expected radians between two beams, more than 0 and at most 2 pi"));
 }
 
 TEST_F(CarmenLogFile, AFileWithoutRecordsIsNoLog) {

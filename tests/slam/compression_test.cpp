@@ -89,7 +89,7 @@ TEST(Compression, RefusesParametersOutOfRange) {
   EXPECT_EQ(error("{recovery: csekf, csekf: {process_variance: -1}}"),
             "store.yaml:1:45: process_variance: expected a number of at least 0, found '-1'");
   EXPECT_EQ(error("{recovery: csekf, csekf: {tau: 0}}"),
-            "store.yaml:1:32: tau: expected a whole number in [1, 1e+09], found '0'");
+            "store.yaml:1:32: tau: expected a whole number in [1, 1000000000], found '0'");
   EXPECT_EQ(error("{recovery: nesta, nesta: {eps: -1}}"),
             "store.yaml:1:32: eps: expected a number of at least 0, found '-1'");
   EXPECT_EQ(error("{recovery: nesta, nesta: {mu_final: 1}}"),
@@ -99,7 +99,7 @@ TEST(Compression, RefusesParametersOutOfRange) {
   EXPECT_EQ(error("{recovery: nesta, nesta: {tolerance: 0}}"),
             "store.yaml:1:38: tolerance: expected a number above 0, found '0'");
   EXPECT_EQ(error("{recovery: nesta, nesta: {max_iterations: 0}}"),
-            "store.yaml:1:43: max_iterations: expected a whole number in [1, 1e+09], found '0'");
+            "store.yaml:1:43: max_iterations: expected a whole number in [1, 1000000000], found '0'");
   EXPECT_EQ(error("{basis: identity, compressor: selection, recovery: tv, tv: {stop_at_gap: 0}}"),
             "store.yaml:1:74: stop_at_gap: expected a number above 0, found '0'");
 }
