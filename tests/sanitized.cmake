@@ -1,0 +1,30 @@
+# What `./dev test` runs under the sanitizers, in one ctest with the release's own tests. Chosen by time: what reads
+# files, keeps maps or is fed by others, not what needs minutes under a sanitizer; `./dev asan` runs everything.
+
+if(COGSLAM_FUZZ)  # in the sanitizers' tree: what to build, and how to run it
+  set(programs core_tests worlds_tests sensors_tests slam_tests cli_tests)
+  set(fuzzers scenario carmen relations recording map picture)
+  add_custom_target(sanitized DEPENDS ${programs})
+  set(tests "")
+  macro(sanitized_test name)
+    string(APPEND tests "add_test(sanitized_${name}")
+    foreach(argument ${ARGN})
+      string(APPEND tests " \"${argument}\"")
+    endforeach()
+    string(APPEND tests ")\nset_tests_properties(sanitized_${name} PROPERTIES TIMEOUT 600)\n")
+  endmacro()
+  sanitized_test(core $<TARGET_FILE:core_tests>)
+  sanitized_test(worlds $<TARGET_FILE:worlds_tests>)
+  sanitized_test(sensors_log $<TARGET_FILE:sensors_tests> --gtest_filter=Carmen*:Recording*:Truth*:Plausible*)
+  sanitized_test(maps $<TARGET_FILE:slam_tests> --gtest_filter=*Map*:*Tile*:*Lattice*:*Code*)
+  sanitized_test(broken_inputs $<TARGET_FILE:cli_tests> --gtest_filter=*Broken*:OutputFolder*:Degraded*)
+  foreach(fuzzer ${fuzzers})
+    add_dependencies(sanitized fuzz_${fuzzer})
+    sanitized_test(fuzz_${fuzzer} ${CMAKE_COMMAND} -E env COGSLAM_BUILT=1 ${PROJECT_SOURCE_DIR}/dev fuzz 0.167 ${fuzzer})
+  endforeach()
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/sanitized_tests.cmake CONTENT "${tests}")
+else()
+  file(WRITE ${PROJECT_BINARY_DIR}/sanitized_if_asked.cmake
+    "if(NOT \"$ENV{COGSLAM_SANITIZED}\" STREQUAL \"\")\n  include(\"${PROJECT_SOURCE_DIR}/build/sanitizers/sanitized_tests.cmake\")\nendif()\n")
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY TEST_INCLUDE_FILES ${PROJECT_BINARY_DIR}/sanitized_if_asked.cmake)
+endif()
