@@ -76,6 +76,10 @@ void ProgressLine::say(const std::string& message) {
 
 void ProgressLine::warn(const std::string& message) {
   end_stage();
+  warn_amid(message);
+}
+
+void ProgressLine::warn_amid(const std::string& message) {
   clear();
   tell("cogslam: " + message + "\n");
 }

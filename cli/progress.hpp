@@ -28,6 +28,8 @@ class ProgressLine {
   void say(const std::string& message);
   /// A warning: said in any case.
   void warn(const std::string& message);
+  /// A warning that does not end the stage that is running.
+  void warn_amid(const std::string& message);
   /// Takes the line off the terminal, so that standard output can come.
   void clear();
 

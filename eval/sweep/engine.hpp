@@ -6,6 +6,7 @@
 
 #include "eval/sweep/folder.hpp"
 #include "eval/sweep/plan.hpp"
+#include "eval/sweep/slurm_script.hpp"
 
 namespace cogslam {
 
@@ -24,5 +25,13 @@ struct LocalEngineConfig {
 /// std::runtime_error where going on is of no use, as on a full disk.
 void run_locally(const SweepFolder& folder, const std::vector<const PlannedEpisode*>& episodes,
                  const LocalEngineConfig& config, const EpisodeEnd& end, const std::function<void()>& tick);
+
+/// The same by job arrays of Slurm, whose tasks write results that are gathered from `episodes/`: only this process
+/// opens the database. What is missing when an array is over is submitted again, `rounds` times. An array
+/// that an earlier, killed sweep left in the queue is waited for. Where `tick` throws the array is cancelled. `folder`
+/// must be an absolute path that every node sees.
+void run_on_slurm(const std::string& name, const SweepFolder& folder,
+                  const std::vector<const PlannedEpisode*>& episodes, const SlurmConfig& config, const EpisodeEnd& end,
+                  const std::function<void()>& tick);
 
 }  // namespace cogslam

@@ -26,6 +26,10 @@ double span_seconds(const Recording& recording) {
 
 }  // namespace
 
+EpisodeJob EpisodeJob::of(const PlannedEpisode& episode, bool only_readings) {
+  return {only_readings, episode.key, episode.readings_key, episode.own_key, episode.baseline_key};
+}
+
 std::string EpisodeJob::line() const {
   return fmt::format("{} {} {} {} {}", only_readings ? "readings" : "episode", key, readings_key, own_key,
                      baseline_key.empty() ? kNothing : baseline_key);

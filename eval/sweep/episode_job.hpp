@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "eval/sweep/plan.hpp"
 #include "eval/sweep/readings_cache.hpp"
 #include "eval/variant_run.hpp"
 
@@ -19,6 +20,7 @@ struct EpisodeJob {
   std::string own_key;
   std::string baseline_key;  ///< empty: compared with nothing
 
+  static EpisodeJob of(const PlannedEpisode& episode, bool only_readings = false);
   /// One line without its end, and back. Throws InputError for anything else.
   [[nodiscard]] std::string line() const;
   static EpisodeJob parse(const std::string& line);

@@ -16,7 +16,7 @@ namespace cogslam {
 namespace {
 
 constexpr std::array kParts{"readings", "baselines", "episodes"};
-constexpr std::array kEndings{".bin", ".yaml", ".json", ".log"};
+constexpr std::array kEndings{".bin", ".yaml", ".json", ".log", ".error"};
 
 bool is_complete(const std::filesystem::path& file) {
   return std::any_of(kEndings.begin(), kEndings.end(), [&](const char* ending) { return file.extension() == ending; });

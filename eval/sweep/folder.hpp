@@ -19,7 +19,7 @@ struct SweepFolder {
   [[nodiscard]] std::filesystem::path baseline(const std::string& key) const {
     return root / "baselines" / (key + ".bin");
   }
-  /// `ending`: ".yaml" the scenario, ".json" the result, ".log" what happened.
+  /// `ending`: ".yaml" the scenario, ".json" the result, ".log" what happened, ".error" why a task of Slurm failed.
   [[nodiscard]] std::filesystem::path episode(const std::string& key, const std::string& ending) const {
     return root / "episodes" / (key + ending);
   }

@@ -1,13 +1,6 @@
 #include "eval/sweep/job_queue.hpp"
 
 namespace cogslam {
-namespace {
-
-EpisodeJob job_of(const PlannedEpisode& episode, bool only_readings) {
-  return {only_readings, episode.key, episode.readings_key, episode.own_key, episode.baseline_key};
-}
-
-}  // namespace
 
 JobQueue::JobQueue(const SweepFolder& folder, const std::vector<const PlannedEpisode*>& episodes)
     : folder_(folder), episodes_(episodes) {
@@ -30,14 +23,14 @@ std::optional<JobQueue::Next> JobQueue::take() {
       if (readings_taken_.contains(readings)) continue;
       if (!has_readings(folder_, readings)) {
         readings_taken_.insert(readings);
-        return Next{*at, job_of(episode, true)};
+        return Next{*at, EpisodeJob::of(episode, true)};
       }
       readings_made_.insert(readings);
     }
     if (waits_for_baseline(episode)) continue;
     const std::size_t index = *at;
     left_.erase(at);
-    return Next{index, job_of(episode, false)};
+    return Next{index, EpisodeJob::of(episode)};
   }
   return std::nullopt;
 }

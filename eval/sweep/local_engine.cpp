@@ -102,6 +102,7 @@ class LocalEngine {
 
 void run_locally(const SweepFolder& folder, const std::vector<const PlannedEpisode*>& episodes,
                  const LocalEngineConfig& config, const EpisodeEnd& end, const std::function<void()>& tick) {
+  folder.remove_leftovers();
   LocalEngine(folder, episodes, config, end).run(tick);
 }
 

@@ -24,7 +24,6 @@ const SweepFolder& made(const SweepFolder& folder) {
 
 Sweep::Sweep(SweepPlan plan, SweepFolder folder)
     : plan_(std::move(plan)), folder_(made(folder)), lock_(folder_), database_(folder_.database()) {
-  folder_.remove_leftovers();
   database_.set_plan(plan_);
   for (const PlannedEpisode* episode : missing()) take_in(*episode);
 }

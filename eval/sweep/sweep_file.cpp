@@ -115,6 +115,7 @@ std::vector<SweepWorld> SweepFile::worlds() const {
     entry.read("scenario", scenario);
     const Overrides settings = read_settings(entry);
     const std::vector<SweepAxis> axes = read_axes(entry);
+    entry.finish();
     for (const AxisPoint& point : axis_points(axes)) {
       with_axis_places(axes, [&] {
         SweepWorld world = read_world_at(scenario, settings, point);
@@ -122,7 +123,6 @@ std::vector<SweepWorld> SweepFile::worlds() const {
         add_unique(worlds, std::move(world), known_as, entry);
       });
     }
-    entry.finish();
   }
   if (worlds.empty()) file.fail("worlds", "worlds: expected at least one `- scenario: FILE`");
   return worlds;

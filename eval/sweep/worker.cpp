@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <fstream>
 
+#include "core/output_file.hpp"
 #include "eval/sweep/episode_job.hpp"
 
 namespace cogslam {
@@ -75,7 +76,10 @@ int do_listed_jobs(const std::filesystem::path& list, const SweepFolder& folder)
   for (std::string line; std::getline(in, line);) {
     const EpisodeJob job = EpisodeJob::parse(line);
     if (std::filesystem::exists(folder.episode(job.key, ".json"))) continue;
-    failed += do_job(runner, folder, job) == kJobDone ? 0 : 1;
+    const std::string answer = do_job(runner, folder, job);
+    if (answer == kJobDone) continue;
+    ++failed;
+    write_file(folder.episode(job.key, ".error"), answer.substr(answer.find(' ') + 1));
   }
   return failed;
 }

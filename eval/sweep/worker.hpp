@@ -15,7 +15,8 @@ inline constexpr const char* kJobHopeless = "hopeless ";  ///< and why: the next
 /// Standard output and error of each job go to `episodes/<key>.log`.
 void serve_jobs(int socket, const SweepFolder& folder);
 
-/// Does the jobs in the lines of a file, those without a result, one after the other; goes on after one that fails.
+/// Does the jobs in the lines of a file, those without a result, one after the other; goes on after one that fails,
+/// whose reason it writes to `episodes/<key>.error`.
 /// Gives the number of those that failed.
 int do_listed_jobs(const std::filesystem::path& list, const SweepFolder& folder);
 

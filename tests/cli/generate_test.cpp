@@ -69,6 +69,7 @@ TEST(ManPage, NamesEveryCommandAndOptionOfTheHelp) {
                                                   {"lab", "figures"},
                                                   {"sense", "recover"},
                                                   {"sense", "log"},
+                                                  {"sweep"},
                                                   {"world", "export"}}) {
     std::vector<std::string> arguments = command;
     arguments.push_back("--help");
