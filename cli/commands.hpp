@@ -15,6 +15,7 @@ struct Command {
 Command run_command(CLI::App& program);
 Command replay_command(CLI::App& program);
 Command validate_command(CLI::App& program);
+Command gate_command(CLI::App& program);
 Command lab_command(CLI::App& program);
 Command sense_command(CLI::App& program);
 Command world_command(CLI::App& program);

@@ -30,9 +30,8 @@ int all_cores() {
 
 }  // namespace
 
-void add_setting_options(CLI::App& parser, Options& options) {
-  parser.add_option("--seed", options.seed, "seed of every random stream, in place of the file's");
-  parser
+CLI::Option* add_set_option(CLI::App& parser, Options& options) {
+  return parser
       .add_option("--set", options.settings,
                   "key=value: a value in place of the file's, as in --set slam.particles=30;"
                   " may be repeated")
@@ -40,12 +39,21 @@ void add_setting_options(CLI::App& parser, Options& options) {
       ->allow_extra_args(false);
 }
 
-void add_options(CLI::App& parser, Options& options) {
-  add_setting_options(parser, options);
+void add_setting_options(CLI::App& parser, Options& options) {
+  parser.add_option("--seed", options.seed, "seed of every random stream, in place of the file's");
+  add_set_option(parser, options);
+}
+
+void add_threads_option(CLI::App& parser, Options& options) {
   options.threads = all_cores();
   parser.add_option("-j,--threads", options.threads, "threads; the scores do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+}
+
+void add_options(CLI::App& parser, Options& options) {
+  add_setting_options(parser, options);
+  add_threads_option(parser, options);
   parser.add_option("--particles", options.particles, "particles of every variant")->check(CLI::Range(1, 1000000));
   parser.add_option("--cell-size", options.cell_size, "run at this one cell size [m]")->check(number_in(0.005, 100.0));
   parser

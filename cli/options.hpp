@@ -30,6 +30,8 @@ struct Options {
 };
 
 void add_options(CLI::App& parser, Options& options);
+CLI::Option* add_set_option(CLI::App& parser, Options& options);
+void add_threads_option(CLI::App& parser, Options& options);
 /// --seed and --set alone: what a scenario can be told without running it.
 void add_setting_options(CLI::App& parser, Options& options);
 

@@ -64,6 +64,7 @@ TEST(ManPage, NamesEveryCommandAndOptionOfTheHelp) {
   for (const std::vector<std::string>& command : {std::vector<std::string>{"run"},
                                                   {"replay"},
                                                   {"validate"},
+                                                  {"gate"},
                                                   {"lab", "signal"},
                                                   {"lab", "map"},
                                                   {"lab", "figures"},
