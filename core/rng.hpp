@@ -22,6 +22,7 @@ enum class Purpose : std::uint32_t {
   kCameraLight = 12,
   kCompression = 13,
   kBootstrap = 14,
+  kSensorFault = 15,
 };
 
 /// Names one stream. Keys that differ in any field give independent draws, so adding a draw in

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/check.hpp"
+#include "sim/disturbance.hpp"
 #include "sim/driver.hpp"
 #include "sim/simulation.hpp"
 #include "slam/odometry/front_end.hpp"
@@ -28,7 +29,9 @@ class Recorder {
       : scenario_(scenario),
         simulation_(scenario.world, scenario.robot, scenario.seed),
         driver_(scenario.drive),
+        disturbances_(scenario.disturbances),
         suite_(scenario.sensors, scenario.world, scenario.seed),
+        camera_stream_(faults_of(SensorKind::kCamera, scenario.sensors.faults.streams), scenario.seed),
         front_end_(make_front_end(scenario)),
         track_(Duration::from_seconds(1.0)) {
     if (scenario.camera.enabled) camera_.emplace(scenario.camera, scenario.world.floor, scenario.seed);
@@ -43,15 +46,14 @@ class Recorder {
     const SensorOutput& seen = suite_.step(truth);
     for (const WheelSample& sample : seen.wheels) front_end_.add(sample);
     for (const CompassSample& sample : seen.compass) front_end_.add(sample);
-    for (const Truth& due : seen.camera_due) {
-      front_end_.add(camera_->capture(frame_++, due.time, due.T_map_base, due.twist));
-    }
+    for (const Truth& due : seen.camera_due) take_picture(due);
     for (const ReferenceFix& fix : seen.reference) drive_.truth.references.push_back(fix);
     for (const ScanSample& scan : seen.scans) {
       stamped_truth_.push_back(track_.at(scan.stamp));
       front_end_.add(scan);
     }
     collect();
+    disturbances_.apply(simulation_);
     simulation_.command(driver_.command(truth));
     simulation_.step();
     drive_.stuck = drive_.stuck || driver_.stuck();
@@ -63,10 +65,17 @@ class Recorder {
     drive_.truth.readings_hash = readings_hash(drive_.recording.readings);
     drive_.camera_spans = front_end_.spans();
     drive_.camera_spans_without = front_end_.spans_without_estimate();
+    drive_.pictures_repeated = front_end_.pictures_repeated();
     return std::move(drive_);
   }
 
  private:
+  void take_picture(const Truth& due) {
+    FloorImage image = camera_->capture(frame_, due.time, due.T_map_base, due.twist);
+    if (const auto seen = camera_stream_.pass(std::move(image), frame_)) front_end_.add(*seen);
+    ++frame_;
+  }
+
   void collect() {
     while (auto reading = front_end_.next()) {
       while (stamped_truth_.front().time < reading->stamp) stamped_truth_.pop_front();
@@ -79,7 +88,9 @@ class Recorder {
   const Scenario& scenario_;
   Simulation simulation_;
   Driver driver_;
+  Disturbances disturbances_;
   SensorSuite suite_;
+  FaultyStream<FloorImage> camera_stream_;
   std::optional<FloorCamera> camera_;
   OdometryFrontEnd front_end_;
   PoseTrack track_;

@@ -14,6 +14,7 @@ struct Drive {
   TruthLog truth;
   std::uint64_t camera_spans = 0;          ///< spans between floor pictures
   std::uint64_t camera_spans_without = 0;  ///< of those, without an estimate: wheel odometry stood in
+  std::uint64_t pictures_repeated = 0;     ///< equal to the one before: the camera was frozen
   bool stuck = false;                      ///< the vehicle was blocked for 5 s at some time
 };
 

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "core/printable.hpp"
+#include "eval/fault_list.hpp"
 #include "worlds/polygon.hpp"
 #include "worlds/world_config.hpp"
 
@@ -45,14 +46,9 @@ void check_slam(const ConfigSection& section, const std::string& key, const Slam
 
 /// The body must not stand in a surface at the start: the physics would throw it out.
 void check_room_to_stand(const Scenario& scenario, ConfigSection& file) {
-  const Polygon body = box(scenario.world.start, scenario.robot.length, scenario.robot.width);
-  for (const Segment& side : edges(body)) {
-    for (const Segment& surface : scenario.world.segments()) {
-      if (!touch(side, surface)) continue;
-      file.section("world").fail("start", "start: the robot stands in a wall or a box, expected room for its body of " +
-                                              fmt::format("{} x {} m", scenario.robot.length, scenario.robot.width));
-    }
-  }
+  if (has_room_to_stand(scenario.world, scenario.robot, scenario.world.start)) return;
+  file.section("world").fail("start", "start: the robot stands in a wall or a box, expected room for its body of " +
+                                          fmt::format("{} x {} m", scenario.robot.length, scenario.robot.width));
 }
 
 /// A room of 30 m beams: nothing in it is too far to be trusted.
@@ -135,6 +131,7 @@ Scenario read_scenario(ConfigSection file, const std::string& default_name) {
   ConfigSection camera = sensors.section("camera");
   read(camera, scenario.camera);
   scenario.sensors.camera_rate_hz = scenario.camera.enabled ? scenario.camera.rate : 0.0;
+  read_faults(file, scenario);
   ConfigSection odometry = file.section("odometry");
   read(odometry, scenario.odometry);
 

@@ -8,6 +8,7 @@
 #include "core/config.hpp"
 #include "sensors/floor_camera.hpp"
 #include "sensors/sensor_suite.hpp"
+#include "sim/disturbance.hpp"
 #include "sim/drive_config.hpp"
 #include "sim/robot_config.hpp"
 #include "slam/odometry/odometry_config.hpp"
@@ -33,6 +34,7 @@ struct Scenario {
   DriveConfig drive{};
   SensorSuiteConfig sensors{};
   FloorCameraConfig camera{};
+  DisturbanceConfig disturbances{};  ///< the other faults stand with what they spoil: `world`, `sensors`, `camera`
   OdometryConfig odometry{};
   SlamConfig slam{};                    ///< what every variant starts from
   std::vector<VariantConfig> variants;  ///< every variant at every cell size; the first dense one is the baseline

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "core/rng.hpp"
+#include "sensors/faults/compass_deflection.hpp"
 
 namespace cogslam {
 
@@ -30,14 +31,18 @@ CompassConfig read_compass_config(ConfigSection& section) {
   return c;
 }
 
-Compass::Compass(const CompassConfig& config, std::uint32_t seed) : config_(config), seed_(seed) {
+Compass::Compass(const CompassConfig& config, std::uint32_t seed, std::vector<Magnet> magnets)
+    : config_(config), seed_(seed), magnets_(std::move(magnets)) {
   Rng rng({seed, Purpose::kCompassBias, 0, 0});
   bias_ = config.bias.value_or(rng.uniform(-config.bias_bound, config.bias_bound));
 }
 
 double Compass::bearing(const Pose2& T_map_base, std::uint64_t index) const {
   Rng rng({seed_, Purpose::kCompassNoise, 0, index});
-  return bearing_of_heading(T_map_base.theta + bias_ + config_.noise * rng.normal(), config_.declination);
+  double heading = T_map_base.theta + bias_ + config_.noise * rng.normal();
+  // A bearing counts from the needle, so turning that to the left takes away from the heading.
+  if (!magnets_.empty()) heading -= compass_deflection(magnets_, T_map_base.position(), config_.declination);
+  return bearing_of_heading(heading, config_.declination);
 }
 
 CompassSample Compass::sample(const Pose2& T_map_base, Time stamp, std::uint64_t index) const {

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "core/angle.hpp"
 #include "core/config.hpp"
 #include "core/pose2.hpp"
 #include "sensors/readings.hpp"
+#include "worlds/world.hpp"
 
 namespace cogslam {
 
@@ -26,10 +28,10 @@ struct CompassConfig {
 
 CompassConfig read_compass_config(ConfigSection& section);
 
-/// A magnetic compass: white noise and one bias for the whole run.
+/// A magnetic compass: white noise and one bias for the whole run, and the deflection of its needle by magnets.
 class Compass {
  public:
-  Compass(const CompassConfig& config, std::uint32_t seed);
+  Compass(const CompassConfig& config, std::uint32_t seed, std::vector<Magnet> magnets = {});
 
   /// What the device says, clockwise from magnetic north [rad], in [0, 2 pi). Sample `index` has its own noise.
   [[nodiscard]] double bearing(const Pose2& T_map_base, std::uint64_t index) const;
@@ -43,6 +45,7 @@ class Compass {
   CompassConfig config_;
   std::uint32_t seed_;
   double bias_;
+  std::vector<Magnet> magnets_;
 };
 
 }  // namespace cogslam

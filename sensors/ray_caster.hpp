@@ -18,7 +18,8 @@ namespace cogslam {
 class RayCaster {
  public:
   explicit RayCaster(const std::vector<Segment>& segments);
-  explicit RayCaster(const World& world) : RayCaster(world.segments()) {}
+  /// Of a world: glass lets rays through.
+  explicit RayCaster(const World& world) : RayCaster(world.opaque_segments()) {}
 
   /// Distance [m] from `origin` to the first surface along the unit vector `direction`, nothing if there is none
   /// within `max_range` [m] (itself included). The origin may lie anywhere, on a surface (0) or outside all of them.

@@ -77,7 +77,7 @@ struct CompassSample {
   double heading = 0.0;
 };
 
-/// A sweep and the moment of its first beam.
+/// A sweep and the moment of its first beam; without ranges where one was due, but none came.
 struct ScanSample {
   Time stamp{};
   Scan scan;

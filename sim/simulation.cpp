@@ -180,6 +180,12 @@ void Simulation::push(const Eigen::Vector2d& impulse_map, double angular_impulse
   state_->body->ApplyAngularImpulse(static_cast<float>(angular_impulse), true);
 }
 
+void Simulation::put(const Pose2& T_map_base) {
+  state_->body->SetTransform(to_box2d(T_map_base.position()), static_cast<float>(T_map_base.theta));
+  state_->set_twist({});
+  state_->read_truth();
+}
+
 const Truth& Simulation::step() {
   State& s = *state_;
   const double dt = s.config.step.seconds();

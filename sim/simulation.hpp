@@ -32,6 +32,9 @@ class Simulation {
   /// Pushes the vehicle at its centre, once: impulse [N s] in the map frame, angular impulse [N m s].
   void push(const Eigen::Vector2d& impulse_map, double angular_impulse = 0.0);
 
+  /// Lifts the vehicle and sets it down at rest, at once: body and route know of it, the wheels do not turn.
+  void put(const Pose2& T_map_base);
+
   /// Moves on by one step.
   const Truth& step();
   [[nodiscard]] const Truth& truth() const;

@@ -6,6 +6,12 @@
 namespace cogslam {
 
 std::vector<Segment> World::segments() const {
+  std::vector<Segment> out = opaque_segments();
+  out.insert(out.end(), panes.begin(), panes.end());
+  return out;
+}
+
+std::vector<Segment> World::opaque_segments() const {
   std::vector<Segment> out;
   for (const auto* loops : {&walls, &obstacles}) {
     for (const Polygon& loop : *loops) {

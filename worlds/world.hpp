@@ -35,6 +35,13 @@ struct SlipPatch {
   double friction = 0.2;  ///< share of the usual friction, in [0, 1]
 };
 
+/// A thing of iron, whose field turns the needle of a compass nearby: a magnetic dipole.
+struct Magnet {
+  Eigen::Vector2d centre{0.0, 0.0};
+  double reach = 0.5;  ///< beside it, at this distance, its field is as strong as the earth's [m]
+  double axis = 0.0;   ///< direction of its moment, counter-clockwise from the map's +x [rad]
+};
+
 struct OccupancyMap;
 
 /// What is there: surfaces and floor, a plain value. Surfaces have no thickness. A point is free where the start can be
@@ -43,12 +50,16 @@ struct World {
   std::vector<Polygon> walls;      ///< loops that bound the room, from inside or outside
   std::vector<Polygon> obstacles;  ///< boxes and other loops that stand in it
   Floor floor{};
+  std::vector<Segment> panes;  ///< of glass: they stop the vehicle, but no beam
   std::vector<SlipPatch> slip_patches;
+  std::vector<Magnet> magnets;
   Pose2 start{};                            ///< T_map_base at time 0; the map frame is the world frame
   std::shared_ptr<const OccupancyMap> map;  ///< that the surfaces were drawn from, where there was one
 
-  /// Every surface, walls first, in the order of their corners.
+  /// Every surface, walls first, in the order of their corners; glass last.
   [[nodiscard]] std::vector<Segment> segments() const;
+  /// The same without glass: what light comes back from.
+  [[nodiscard]] std::vector<Segment> opaque_segments() const;
   /// The smallest rectangle around all surfaces.
   [[nodiscard]] Rectangle bounds() const;
 };

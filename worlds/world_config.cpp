@@ -6,6 +6,7 @@
 #include "worlds/map_config.hpp"
 #include "worlds/polygon.hpp"
 #include "worlds/rooms.hpp"
+#include "worlds/world_faults.hpp"
 
 namespace cogslam {
 namespace {
@@ -93,16 +94,6 @@ void read_floor(ConfigSection section, Floor& floor) {
   section.read("seed", floor.seed);
 }
 
-void read_slip_patches(ConfigSection& section, World& world) {
-  for (ConfigSection& patch : section.sections("slip_patches")) {
-    SlipPatch& out = world.slip_patches.emplace_back();
-    patch.read("x_m", out.centre.x(), kAnywhere);
-    patch.read("y_m", out.centre.y(), kAnywhere);
-    patch.read("radius_m", out.radius, {1e-3, 1e4});
-    patch.read("friction", out.friction, {0.0, 1.0});
-  }
-}
-
 void read_start(ConfigSection section, Pose2& start) {
   section.read("x_m", start.x, kAnywhere);
   section.read("y_m", start.y, kAnywhere);
@@ -159,7 +150,7 @@ World read_world(ConfigSection& section) {
   read_obstacles(section, world);
   read_start(section.section("start"), world.start);
   read_floor(section.section("floor"), world.floor);
-  read_slip_patches(section, world);
+  for (ConfigSection& patch : section.sections("slip_patches")) world.slip_patches.push_back(read_slip_patch(patch));
   check_world(section, world);
   return world;
 }

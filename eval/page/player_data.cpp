@@ -160,7 +160,9 @@ Json loops(const std::vector<Polygon>& polygons) {
 
 Json world_json(const TruthLog* truth) {
   if (truth == nullptr) return nullptr;
-  return {{"walls", loops(truth->world.walls)}, {"obstacles", loops(truth->world.obstacles)}};
+  std::vector<Polygon> walls = truth->world.walls;
+  for (const Segment& pane : truth->world.panes) walls.push_back({pane.a, pane.b});  // drawn as a loop of no width
+  return {{"walls", loops(walls)}, {"obstacles", loops(truth->world.obstacles)}};
 }
 
 Json variant_json(const VariantRun& run, const MapTrace& map, const PackedColumns& columns) {

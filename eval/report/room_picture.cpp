@@ -78,6 +78,10 @@ void draw_world(Canvas& canvas, const View& view, const World& world) {
   for (const Polygon& box : world.obstacles) canvas.fill_polygon(view.at(box), kLightGrey);
   for (const Polygon& box : world.obstacles) draw_loop(canvas, view.at(box));
   for (const Polygon& wall : world.walls) draw_loop(canvas, view.at(wall));
+  for (const Segment& pane : world.panes) {
+    const Eigen::Vector2d ends[] = {view.at(pane.a), view.at(pane.b)};
+    canvas.draw_line(ends, 3.0, kBlue);
+  }
 }
 
 void draw_path(Canvas& canvas, const View& view, const Stroke& stroke) {

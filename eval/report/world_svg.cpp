@@ -45,6 +45,27 @@ std::string patches_text(const std::vector<SlipPatch>& patches) {
   return out;
 }
 
+std::string panes_text(const std::vector<Segment>& panes) {
+  std::string out;
+  for (const Segment& pane : panes) {
+    out += fmt::format("    <path class=\"glass\" stroke=\"#0072b2\" d=\"M{:.10g} {:.10g}L{:.10g} {:.10g}\"/>\n",
+                       pane.a.x(), pane.a.y(), pane.b.x(), pane.b.y());
+  }
+  return out;
+}
+
+/// A bar along its axis, as long as its reach on either side.
+std::string magnets_text(const std::vector<Magnet>& magnets) {
+  std::string out;
+  for (const Magnet& magnet : magnets) {
+    out += fmt::format(
+        "    <path class=\"magnet\" transform=\"translate({:.10g} {:.10g}) rotate({:.10g})\" stroke=\"#d55e00\" "
+        "d=\"M{:.10g} 0H{:.10g}\"/>\n",
+        magnet.centre.x(), magnet.centre.y(), degrees(magnet.axis), -magnet.reach, magnet.reach);
+  }
+  return out;
+}
+
 /// An arrow of 0.3 m from where the robot's centre starts.
 std::string start_text(const Pose2& start) {
   return fmt::format(
@@ -75,7 +96,8 @@ std::string world_svg(const World& world, const std::string& title, double scale
   out += fmt::format(
       "  <g transform=\"scale(1 -1)\" stroke=\"#000000\" stroke-width=\"{:.10g}\" stroke-linejoin=\"round\">\n", line);
   out += patches_text(world.slip_patches) + loops_text("obstacles", world.obstacles, kSolid) +
-         loops_text("walls", world.walls, walls_are_thick(world) ? kSolid : "none") + start_text(world.start);
+         loops_text("walls", world.walls, walls_are_thick(world) ? kSolid : "none") + panes_text(world.panes) +
+         magnets_text(world.magnets) + start_text(world.start);
   const double bar_y = low.y() + 0.2;
   out += fmt::format("    <path id=\"metre\" d=\"M{0:.10g} {1:.10g}v0.1v-0.05h1v0.05v-0.1\" fill=\"none\"/>\n",
                      area.min.x(), bar_y);

@@ -8,7 +8,7 @@ namespace cogslam {
 namespace {
 
 constexpr RecordFormat kFormat{"COGSTRUE", 1};
-enum RecordKind : std::uint8_t { kHeader = 1, kWorld = 2, kPose = 3, kReference = 4 };
+enum RecordKind : std::uint8_t { kHeader = 1, kWorld = 2, kPose = 3, kReference = 4, kHidden = 5 };
 constexpr std::uint8_t kFloorKinds = static_cast<std::uint8_t>(FloorKind::kPlain) + 1;
 
 void reject(const ByteReader& payload, const std::optional<std::string>& defect) {
@@ -69,6 +69,30 @@ World take_world(ByteReader& in) {
   return world;
 }
 
+/// Glass and magnets: written only where there are any, so a file of any other world is as it always was.
+void put_hidden(ByteWriter& out, const World& world) {
+  out.put_count(world.panes.size());
+  for (const Segment& pane : world.panes)
+    for (const double v : {pane.a.x(), pane.a.y(), pane.b.x(), pane.b.y()}) out.put(v);
+  out.put_count(world.magnets.size());
+  for (const Magnet& magnet : world.magnets)
+    for (const double v : {magnet.centre.x(), magnet.centre.y(), magnet.reach, magnet.axis}) out.put(v);
+}
+
+void take_hidden(ByteReader& in, World& world) {
+  world.panes.resize(in.take_count(4 * sizeof(double), "the number of panes"));
+  for (Segment& pane : world.panes) {
+    pane.a = take_point(in, "a pane");
+    pane.b = take_point(in, "a pane");
+  }
+  world.magnets.resize(in.take_count(4 * sizeof(double), "the number of magnets"));
+  for (Magnet& magnet : world.magnets) {
+    magnet.centre = take_point(in, "a magnet");
+    magnet.reach = in.take<double>("a magnet");
+    magnet.axis = in.take<double>("a magnet");
+  }
+}
+
 TruePose take_true_pose(ByteReader& in) {
   TruePose pose;
   pose.sequence = in.take<std::uint64_t>("the sequence number");
@@ -94,6 +118,11 @@ void write_truth_log(const std::filesystem::path& file, const TruthLog& log) {
   out.add(kHeader, header);
   put_world(world, log.world);
   out.add(kWorld, world);
+  if (!log.world.panes.empty() || !log.world.magnets.empty()) {
+    ByteWriter hidden;
+    put_hidden(hidden, log.world);
+    out.add(kHidden, hidden);
+  }
   for (const TruePose& pose : log.poses) {
     ByteWriter bytes;
     bytes.put(pose.sequence);
@@ -134,8 +163,12 @@ TruthLog read_truth_log(const std::filesystem::path& file) {
         log.references.push_back(take_reference(payload));
         reject(payload, defect(log.references.back().T_map_base));
         break;
+      case kHidden:
+        if (!has_world) payload.fail("panes and magnets before the world, expected the world first");
+        take_hidden(payload, log.world);
+        break;
       default:
-        payload.fail("record of kind " + std::to_string(kind) + ", expected 1 to 4");
+        payload.fail("record of kind " + std::to_string(kind) + ", expected 1 to 5");
     }
     payload.finish();
   }

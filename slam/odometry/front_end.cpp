@@ -35,6 +35,7 @@ OdometryFrontEnd::OdometryFrontEnd(const OdometryConfig& config, const std::opti
     throw InputError("odometry source is `wheel`, but there are no wheel encoders");
   }
   if (camera && config.source == OdometrySource::kVisual) {
+    camera_ = *camera;
     visual_ = std::make_unique<VisualOdometry>(*camera, config.visual);
   }
 }
@@ -44,7 +45,7 @@ OdometryFrontEnd::~OdometryFrontEnd() = default;
 void OdometryFrontEnd::add(const FloorImage& image) {
   if (!visual_) return;
   const bool first = !std::exchange(seen_image_, true);
-  std::optional<MotionIncrement> motion = visual_->update(image);
+  std::optional<MotionIncrement> motion = motion_to(image);
   start_at(image.stamp);
   if (image.stamp <= track_.end()) return;  // the very first
   if (!first) {
@@ -53,6 +54,19 @@ void OdometryFrontEnd::add(const FloorImage& image) {
   }
   spans_.push_back({image.stamp, std::move(motion)});
   settle();
+}
+
+/// Noise tells two pictures apart even where nothing moves: one that equals the last is no new picture. What follows
+/// is not compared with it, or the motion that the wheels told in between would be told again.
+std::optional<MotionIncrement> OdometryFrontEnd::motion_to(const FloorImage& image) {
+  const bool repeated = image.grey == last_grey_;
+  last_grey_ = image.grey;
+  if (repeated) {
+    ++pictures_repeated_;
+    visual_ = std::make_unique<VisualOdometry>(camera_, config_.visual);
+    return std::nullopt;
+  }
+  return visual_->update(image);
 }
 
 void OdometryFrontEnd::add(const WheelSample& sample) {
@@ -141,7 +155,7 @@ Reading OdometryFrontEnd::reading_of(ScanSample sample) {
   if (sequence_ > 0) reading.motion = track_.between(last_reading_, sample.stamp);
   reading.twist = track_.twist_at(middle_of(sample));
   reading.heading = heading_at(sample.stamp);
-  reading.scan = std::move(sample.scan);
+  if (!sample.scan.ranges.empty()) reading.scan = std::move(sample.scan);
   last_reading_ = reading.stamp;
   ++sequence_;
   track_.forget_before(last_reading_);

@@ -17,7 +17,9 @@ namespace cogslam {
 ///
 /// Between two floor pictures the base is taken to move at a constant twist; a scan between them gets its share of the
 /// motion and of the covariance. Where the pictures give no estimate, the wheels' motion of that span stands in
-/// (MotionSource::kWheel). A reading comes out once odometry covers its sweep, so after the next picture.
+/// (MotionSource::kWheel). A reading comes out once odometry covers its sweep, so after the next picture. A picture
+/// that equals the one before, pixel by pixel, is taken for that of a frozen camera and gives no estimate; a sweep
+/// without ranges becomes a reading without a scan.
 class OdometryFrontEnd {
  public:
   /// Throws InputError if there is neither a camera nor wheels, or if the source is `wheel` and there are no wheels.
@@ -41,6 +43,8 @@ class OdometryFrontEnd {
   /// Spans between pictures, and how many of them the camera had no estimate for.
   [[nodiscard]] std::uint64_t spans() const { return spans_seen_; }
   [[nodiscard]] std::uint64_t spans_without_estimate() const { return spans_without_; }
+  /// Pictures that were equal to the one before.
+  [[nodiscard]] std::uint64_t pictures_repeated() const { return pictures_repeated_; }
 
  private:
   /// From the end of the span before; no motion where the camera has no estimate.
@@ -49,6 +53,7 @@ class OdometryFrontEnd {
     std::optional<MotionIncrement> visual{};
   };
 
+  [[nodiscard]] std::optional<MotionIncrement> motion_to(const FloorImage& image);
   void start_at(Time stamp);
   void settle();
   [[nodiscard]] bool wheels_reach(Time stamp) const;
@@ -59,7 +64,9 @@ class OdometryFrontEnd {
 
   OdometryConfig config_;
   std::optional<MecanumGeometry> geometry_;
+  CameraModel camera_{};
   std::unique_ptr<VisualOdometry> visual_;  ///< nothing: wheels only
+  std::vector<std::uint8_t> last_grey_;     ///< of the picture before
   bool started_ = false;
   bool seen_image_ = false;
   bool flushed_ = false;
@@ -72,6 +79,7 @@ class OdometryFrontEnd {
   Time last_reading_{};
   std::uint64_t spans_seen_ = 0;
   std::uint64_t spans_without_ = 0;
+  std::uint64_t pictures_repeated_ = 0;
 };
 
 }  // namespace cogslam

@@ -187,5 +187,48 @@ TEST(OdometryConfig, ReadsItsSectionAndNamesWhatIsWrong) {
   EXPECT_THROW(read(bad, config), InputError);
 }
 
+TEST(OdometryFrontEnd, ASweepWithoutRangesBecomesAReadingWithoutAScan) {
+  OdometryFrontEnd front_end({}, std::nullopt, kGeometry);
+  for (int ms = 0; ms <= 100; ms += 10) {
+    const Time now{ms * std::int64_t{1'000'000}};
+    front_end.add(wheels_at(now));
+    if (ms % 20 == 0) front_end.add(ms == 40 ? ScanSample{.stamp = now, .scan = {}} : scan_at(now));
+  }
+  front_end.flush();
+  std::vector<Reading> readings;
+  while (auto reading = front_end.next()) readings.push_back(*reading);
+  ASSERT_EQ(readings.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(readings[i].scan.has_value(), i != 2) << i;
+  EXPECT_GT(readings[2].motion.T_before_now.position().norm(), 0.004) << "motion goes on";
+}
+
+TEST(OdometryFrontEnd, WheelsStandInWhileTheCameraIsFrozenAndNoMotionIsToldTwice) {
+  FloorCamera camera({}, Floor{}, 1U);
+  OdometryFrontEnd front_end({}, CameraModel{}, kGeometry);
+  std::vector<Reading> readings;
+  FloorImage stuck;
+  for (int ms = 0; ms <= 1000; ms += 10) {
+    const Time now{ms * std::int64_t{1'000'000}};
+    front_end.add(wheels_at(now));
+    if (ms % 40 == 0) {
+      const bool frozen = ms > 300 && ms < 700;
+      FloorImage image = camera.capture(static_cast<std::uint64_t>(ms), now, truth_at(now), kTwist);
+      if (!frozen) stuck = image;
+      front_end.add(FloorImage{now, image.width, image.height, stuck.grey});
+      front_end.add(scan_at(now));
+    }
+    while (auto reading = front_end.next()) readings.push_back(*reading);
+  }
+  front_end.flush();
+  while (auto reading = front_end.next()) readings.push_back(*reading);
+  EXPECT_EQ(front_end.pictures_repeated(), 10U);
+  EXPECT_EQ(front_end.spans_without_estimate(), 11U) << "and the one to the first picture after them";
+  Pose2 T_start_now;
+  for (const Reading& reading : readings) T_start_now = T_start_now * reading.motion.T_before_now;
+  const Pose2 truth = truth_at(readings.back().stamp);
+  EXPECT_LT((T_start_now.position() - truth.position()).norm(), 0.005);
+  EXPECT_NEAR(T_start_now.theta, truth.theta, 0.01);
+}
+
 }  // namespace
 }  // namespace cogslam

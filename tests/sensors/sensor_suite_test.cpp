@@ -115,5 +115,36 @@ TEST(SensorSuite, ReadsItsSections) {
   EXPECT_EQ(c.wheels.ticks_per_turn, 64);
 }
 
+TEST(SensorSuite, FaultsOfOneSensorLeaveTheOthersAlone) {
+  SensorSuiteConfig faulty = with_camera();
+  faulty.faults.streams = {{.kind = StreamFaultKind::kDropout, .sensor = SensorKind::kLidar, .probability = 0.5},
+                           {.kind = StreamFaultKind::kFrozen, .sensor = SensorKind::kCompass}};
+  const SensorOutput a = run(SensorSuite(with_camera(), square_room(4.0), 1), 1000);
+  const SensorOutput b = run(SensorSuite(faulty, square_room(4.0), 1), 1000);
+  ASSERT_EQ(b.scans.size(), a.scans.size());
+  int lost = 0;
+  for (std::size_t n = 0; n < a.scans.size(); ++n) {
+    EXPECT_EQ(b.scans[n].stamp, a.scans[n].stamp);
+    if (b.scans[n].scan.ranges.empty()) {
+      ++lost;
+    } else {
+      EXPECT_EQ(b.scans[n].scan, a.scans[n].scan);
+    }
+  }
+  EXPECT_GT(lost, 8);
+  EXPECT_LT(lost, 32);
+  for (const CompassSample& sample : b.compass) EXPECT_EQ(sample.heading, a.compass[0].heading);
+  for (std::size_t n = 0; n < a.wheels.size(); ++n) EXPECT_EQ(b.wheels[n].angles, a.wheels[n].angles);
+}
+
+TEST(SensorSuite, SeesThroughGlassToWhatStandsBehindIt) {
+  World glazed = square_room(4.0);
+  glazed.panes = {{{1.0, -1.5}, {1.0, 1.5}}};
+  const SensorOutput a = run(SensorSuite(with_camera(), square_room(4.0), 1), 100);
+  const SensorOutput b = run(SensorSuite(with_camera(), glazed, 1), 100);
+  ASSERT_FALSE(a.scans.empty());
+  for (std::size_t n = 0; n < a.scans.size(); ++n) EXPECT_EQ(b.scans[n].scan, a.scans[n].scan);
+}
+
 }  // namespace
 }  // namespace cogslam

@@ -15,6 +15,8 @@ TruthLog sample_log() {
   log.world = room_with_boxes(7, 2);
   log.world.start = {0.1, 0.2, 0.3};
   log.world.floor = {FloorKind::kWood, 0.7, 99};
+  log.world.panes = {{{0.5, 1.0}, {0.5, 2.0}}};
+  log.world.magnets = {{{1.5, -2.0}, 0.6, 0.3}};
   log.world.slip_patches = {{{1.0, 2.0}, 0.4, 0.3}, {{-1.0, 0.0}, 0.2, 0.1}};
   for (std::uint64_t i = 0; i < 30; ++i)
     log.poses.push_back({i, {static_cast<std::int64_t>(i) * 25'000'000}, {0.1 * static_cast<double>(i), 1.0, -0.3}});
@@ -44,6 +46,13 @@ TEST_F(TruthLogFile, ComesBackExactly) {
   EXPECT_EQ(in.world.slip_patches[1].centre, Eigen::Vector2d(-1.0, 0.0));
   EXPECT_EQ(in.world.slip_patches[1].radius, 0.2);
   EXPECT_EQ(in.world.slip_patches[1].friction, 0.1);
+  ASSERT_EQ(in.world.panes.size(), 1u);
+  EXPECT_EQ(in.world.panes[0].a, Eigen::Vector2d(0.5, 1.0));
+  EXPECT_EQ(in.world.panes[0].b, Eigen::Vector2d(0.5, 2.0));
+  ASSERT_EQ(in.world.magnets.size(), 1u);
+  EXPECT_EQ(in.world.magnets[0].centre, Eigen::Vector2d(1.5, -2.0));
+  EXPECT_EQ(in.world.magnets[0].reach, 0.6);
+  EXPECT_EQ(in.world.magnets[0].axis, 0.3);
   EXPECT_EQ(in.world.start, out.world.start);
 }
 
