@@ -46,6 +46,22 @@ Json keys(const std::vector<Degradation>& degraded) {
   return all;
 }
 
+Json health(const std::optional<FilterHealth>& h) {
+  if (!h) return nullptr;
+  return {{"records", h->records},
+          {"scans_missing", h->scans_missing},
+          {"blind_scans", h->blind_scans},
+          {"repeated_scans", h->repeated_scans},
+          {"odometry_checks", h->odometry_checks},
+          {"odometry_doubted", h->odometry_doubted},
+          {"headings", h->headings},
+          {"headings_doubted", h->headings_doubted},
+          {"scans_judged", h->scans_judged},
+          {"scans_doubted", h->scans_doubted},
+          {"longest_doubt", h->longest_doubt},
+          {"collapses", h->collapses}};
+}
+
 Json scores(const Scores& s) {
   return {{"path_mse_m2", or_null(s.path_mse_m2)},
           {"heading_mse_rad2", or_null(s.heading_mse_rad2)},
@@ -72,6 +88,7 @@ Json scores(const Scores& s) {
           {"bytes", or_null(s.bytes)},
           {"bytes_peak", or_null(s.bytes_peak)},
           {"degraded", keys(s.degraded)},
+          {"health", health(s.health)},
           {"state_hash", or_null(s.state_hash)},
           {"map_hash", or_null(s.map_hash)},
           {"relations", {{"online", relations(s.relations_online)}, {"final", relations(s.relations_final)}}}};

@@ -10,6 +10,7 @@
 #include "eval/degradation.hpp"
 #include "eval/metrics/relations.hpp"
 #include "eval/metrics/stage_times.hpp"
+#include "slam/health/filter_health.hpp"
 
 // What a run is worth: the content of scores.json, schema 1. Nothing stands for "not measured" and is written as null,
 // never as 0; so is a number that is not finite. docs/metrics.md defines every figure.
@@ -45,6 +46,7 @@ struct Scores {
   std::optional<double> bytes;                 ///< all-in, per particle, mean over registered scans
   std::optional<std::uint64_t> bytes_peak;     ///< all-in, per particle, peak
   std::vector<Degradation> degraded;           ///< why the figures above mean less than usual; empty: nothing of note
+  std::optional<FilterHealth> health;          ///< signs that readings and belief do not go together
   std::optional<std::string> state_hash;       ///< of the filter at the end
   std::optional<std::string> map_hash;         ///< of the final map
   std::optional<RelationErrors> relations_online;

@@ -146,6 +146,7 @@ void run_filter(const VariantConfig& variant, std::uint32_t seed, const Recordin
   run.map = slam.best_map();
   run.record.costs.cpu_stages_s = times.seconds();
   add_statistics(slam.statistics(), run.record.scores);
+  run.record.scores.health = slam.health();
   run.record.scores.state_hash = Hash().add(slam.state_hash()).hex();
 }
 

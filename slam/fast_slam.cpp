@@ -39,6 +39,7 @@ FastSlam::~FastSlam() = default;
 
 bool FastSlam::update(const Reading& reading) {
   stage_.enter(Stage::kTrack);
+  scan_watch_.see(reading, health_);
   follow(reading);
   const bool first = statistics_.registered == 0;
   const bool registered = reading.scan && (first || config_.registration.due(motion_.T_last_now()));
@@ -65,6 +66,7 @@ void FastSlam::follow(const Reading& reading) {
   motion_.add(reading.motion);
   motion_.correct(tracker_->T_key_now());
   T_odom_base_ = tracker_->T_track_base();
+  odometry_watch_.see(reading.motion, T_odom_base_, reading.scan.has_value(), health_);
 }
 
 // Algorithms 1 and 3. The lines are those of Alg. 3; with the dense store, 5 and 8 copy plain cells (Alg. 1).
@@ -88,6 +90,7 @@ void FastSlam::step(const Reading& reading) {
   account();
   stage_.enter(Stage::kResample);
   resample_if_due();  // (12)-(15)
+  map_watch_.see(look_, statistics_.last.effective_particles, config_.particles, health_);
 }
 
 /// How far the motion since the last registered scan is trusted; with a tracker, as far as it drifts while nothing old
@@ -113,7 +116,7 @@ void FastSlam::grow_reach() {
   check_reach(reach_);
 }
 
-void FastSlam::advance(Particle& particle, std::size_t slot, const Reading& reading, MapWorker& worker) const {
+void FastSlam::advance(Particle& particle, std::size_t slot, const Reading& reading, MapWorker& worker) {
   const double before = particle.log_weight;
   Rng rng(
       {.seed = seed_, .purpose = Purpose::kMotionSample, .entity = static_cast<std::uint32_t>(slot), .tick = records_});
@@ -122,6 +125,7 @@ void FastSlam::advance(Particle& particle, std::size_t slot, const Reading& read
   } else {
     propose_by_match(particle, rng, worker);
   }
+  if (slot == best_) look_ = look_of(particle, reading, worker);
   if (reading.heading && config_.compass.used) {
     particle.log_weight +=
         compass_log_likelihood(*reading.heading, particle.T_map_base.theta, config_.compass, particle.compass_bias);
@@ -133,6 +137,18 @@ void FastSlam::advance(Particle& particle, std::size_t slot, const Reading& read
   }
   particle.entering = particle.waiting.exchange(particle.T_map_base);
   worker.write(particle.map, entering_, particle.entering.pose());  // (7), (8)
+}
+
+/// Before the compass's bias learns from this heading, and the map from this scan.
+BestLook FastSlam::look_of(const Particle& particle, const Reading& reading, const MapWorker& worker) const {
+  BestLook look;
+  if (reading.heading && config_.compass.used) {
+    look.heading_sigmas =
+        compass_sigmas(*reading.heading, particle.T_map_base.theta, config_.compass, particle.compass_bias);
+  }
+  const bool first = statistics_.registered == 0;  // nothing was looked at
+  if (!first) look.scan = worker.likelihood().agreement(probes_, particle.T_map_base);
+  return look;
 }
 
 /// (5): the window that the scan can touch from poses up to `margin_cells` away, and the scan that enters.

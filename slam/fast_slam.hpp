@@ -5,6 +5,9 @@
 
 #include "core/parallel.hpp"
 #include "slam/filter_statistics.hpp"
+#include "slam/health/map_watch.hpp"
+#include "slam/health/odometry_watch.hpp"
+#include "slam/health/scan_watch.hpp"
 #include "slam/loop_drift.hpp"
 #include "slam/map/reach.hpp"
 #include "slam/map_worker.hpp"
@@ -40,6 +43,7 @@ class FastSlam {
   /// The best particle's map, with the scans that still wait: log-odds over the stated area, or over all it has seen.
   [[nodiscard]] Grid<float> best_map() const;
   [[nodiscard]] FilterStatistics statistics() const;
+  [[nodiscard]] const FilterHealth& health() const { return health_; }
   [[nodiscard]] const LastScan& last_scan() const { return statistics_.last; }
   /// Names the belief (poses, weights, compass biases, maps), to compare runs.
   [[nodiscard]] std::uint64_t state_hash() const;
@@ -48,7 +52,8 @@ class FastSlam {
   void follow(const Reading& reading);
   void step(const Reading& reading);
   void spread_motion();
-  void advance(Particle& particle, std::size_t slot, const Reading& reading, MapWorker& worker) const;
+  void advance(Particle& particle, std::size_t slot, const Reading& reading, MapWorker& worker);
+  [[nodiscard]] BestLook look_of(const Particle& particle, const Reading& reading, const MapWorker& worker) const;
   void propose_by_motion(Particle& particle, Rng& rng, MapWorker& worker) const;
   void propose_by_match(Particle& particle, Rng& rng, MapWorker& worker) const;
   void load_around(const Pose2& T_map_base, const Particle& particle, int margin_cells, MapWorker& worker) const;
@@ -74,12 +79,17 @@ class FastSlam {
   Pose2 T_odom_base_;
   std::size_t records_ = 0;  ///< readings taken
   FilterStatistics statistics_{};
+  FilterHealth health_{};
+  ScanWatch scan_watch_;
+  OdometryWatch odometry_watch_;
+  MapWatch map_watch_;
   std::size_t best_ = 0;
   CellWindow reach_;  ///< what maps without a stated area have grown to
 
   // Of the scan being registered, the same for all particles.
   std::vector<Beam> sweep_;
   std::vector<Beam> probes_;
+  BestLook look_{};             ///< of the particle that was the best before the scan
   std::vector<Beam> entering_;  ///< the scan that enters the maps: the oldest that waited, if one is due
   Eigen::Matrix3d spread_ = Eigen::Matrix3d::Zero();     ///< of motion since the last registered scan
   std::vector<std::unique_ptr<MapWorker>> map_workers_;  ///< one per thread

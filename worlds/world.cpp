@@ -1,17 +1,12 @@
 #include "worlds/world.hpp"
 
 #include "core/check.hpp"
+#include "worlds/glass.hpp"
 #include "worlds/polygon.hpp"
 
 namespace cogslam {
 
 std::vector<Segment> World::segments() const {
-  std::vector<Segment> out = opaque_segments();
-  out.insert(out.end(), panes.begin(), panes.end());
-  return out;
-}
-
-std::vector<Segment> World::opaque_segments() const {
   std::vector<Segment> out;
   for (const auto* loops : {&walls, &obstacles}) {
     for (const Polygon& loop : *loops) {
@@ -19,7 +14,14 @@ std::vector<Segment> World::opaque_segments() const {
       out.insert(out.end(), sides.begin(), sides.end());
     }
   }
+  out.insert(out.end(), panes.begin(), panes.end());
   return out;
+}
+
+std::vector<Segment> World::opaque_segments() const {
+  std::vector<Segment> surfaces = segments();
+  surfaces.resize(surfaces.size() - panes.size());
+  return opaque_parts(surfaces, panes);
 }
 
 Rectangle World::bounds() const {

@@ -50,7 +50,7 @@ struct World {
   std::vector<Polygon> walls;      ///< loops that bound the room, from inside or outside
   std::vector<Polygon> obstacles;  ///< boxes and other loops that stand in it
   Floor floor{};
-  std::vector<Segment> panes;  ///< of glass: they stop the vehicle, but no beam
+  std::vector<Segment> panes;  ///< of glass: they stop the vehicle, but no beam; a wall is glass where one lies on it
   std::vector<SlipPatch> slip_patches;
   std::vector<Magnet> magnets;
   Pose2 start{};                            ///< T_map_base at time 0; the map frame is the world frame
@@ -58,7 +58,7 @@ struct World {
 
   /// Every surface, walls first, in the order of their corners; glass last.
   [[nodiscard]] std::vector<Segment> segments() const;
-  /// The same without glass: what light comes back from.
+  /// What light comes back from: neither panes nor the walls that they lie on.
   [[nodiscard]] std::vector<Segment> opaque_segments() const;
   /// The smallest rectangle around all surfaces.
   [[nodiscard]] Rectangle bounds() const;

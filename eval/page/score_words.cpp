@@ -81,6 +81,10 @@ constexpr std::array kWords{
                "Why the figures mean less than usual: no_returns, no beam came back and the path is odometry's; "
                "empty_map, no scan changed a cell.",
                "None."},
+    ScoreWords{"health", "Signs of trouble", "counts",
+               "How often readings and belief did not go together: scans that were missing, empty or repeated; "
+               "odometry, headings and scans that were doubted.",
+               "Few. Beyond what sound runs show, the run warns that it is degraded."},
     ScoreWords{"state_hash", "Fingerprint of the filter", "",
                "Names the whole state of the filter at the end, bit for bit.", "Equal fingerprints: equal runs."},
     ScoreWords{"map_hash", "Fingerprint of the map", "", "Names the final map, bit for bit.",

@@ -7,6 +7,11 @@
 
 namespace cogslam {
 
+double compass_sigmas(double heading, double theta_map_base, const CompassModel& model, const CompassBias& bias) {
+  return std::abs(wrap_angle(heading - theta_map_base - bias.mean)) /
+         std::sqrt(bias.variance + model.noise * model.noise);
+}
+
 double compass_log_likelihood(double heading, double theta_map_base, const CompassModel& model, CompassBias& bias) {
   const double innovation = wrap_angle(heading - theta_map_base - bias.mean);
   const double variance = bias.variance + model.noise * model.noise;

@@ -16,6 +16,9 @@ struct CompassBias {
   double variance = 0.0;  ///< [rad^2]
 };
 
+/// How far a heading lies from the expected one, in standard deviations of the two together.
+double compass_sigmas(double heading, double theta_map_base, const CompassModel& model, const CompassBias& bias);
+
 /// log p(heading | pose, earlier headings), and the bias learns from it.
 double compass_log_likelihood(double heading, double theta_map_base, const CompassModel& model, CompassBias& bias);
 

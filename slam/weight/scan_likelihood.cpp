@@ -31,6 +31,7 @@ class LogSum {
   double sum_ = 0.0;
 };
 
+constexpr float kFar = 0.05F;   // value of the field 2.4 sigma from an occupied cell
 constexpr double kFlat = 1e-3;  // per metre: a gentler relative slope has no direction
 
 }  // namespace
@@ -112,6 +113,18 @@ PoseFit ScanLikelihood::field_fit(const std::vector<Beam>& probes, const Pose2& 
   fit.gradient *= share;
   fit.information *= share;
   return fit;
+}
+
+ScanAgreement ScanLikelihood::agreement(const std::vector<Beam>& probes, const Pose2& T_map_base) const {
+  ScanAgreement agreement;
+  for (const Beam& beam : probes) {
+    const Eigen::Vector2d p_map = T_map_base * beam.end;
+    const float value = field_.at(p_map.x(), p_map.y());
+    if (value < kFar && field_.unknown_at(p_map.x(), p_map.y())) continue;
+    ++agreement.known;
+    if (value < kFar) ++agreement.contradicted;
+  }
+  return agreement;
 }
 
 double ScanLikelihood::beam_log_likelihood(const std::vector<Beam>& probes, const Pose2& T_map_base) const {

@@ -25,6 +25,12 @@ struct ScanLikelihoodConfig {
   LikelihoodFieldConfig field{};
 };
 
+/// How a scan goes with what a map knows.
+struct ScanAgreement {
+  int known = 0;         ///< probes that end in cells of which the map knows anything
+  int contradicted = 0;  ///< of those: far from every occupied cell
+};
+
 /// Weighs poses against one map at a time. Keeps scratch memory, so make one per thread.
 class ScanLikelihood {
  public:
@@ -48,6 +54,9 @@ class ScanLikelihood {
   /// The information is that of a Gaussian end point about its wall, shared with the chance that no mapped surface was
   /// hit (Fisher scoring); inside a large occupied cell, where the field is flat, there is none.
   [[nodiscard]] PoseFit field_fit(const std::vector<Beam>& probes, const Pose2& T_map_base) const;
+
+  /// Of what is loaded, by the likelihood field.
+  [[nodiscard]] ScanAgreement agreement(const std::vector<Beam>& probes, const Pose2& T_map_base) const;
 
   /// Cells around the probes' window that the map must cover.
   [[nodiscard]] int margin_cells() const { return field_.margin_cells(); }

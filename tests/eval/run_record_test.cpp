@@ -58,6 +58,7 @@ TEST(RunRecord, WritesEveryFigureUnderItsOwnKey) {
   s.registered = 16, s.tracked = 17, s.resamplings = 18, s.ancestors_100 = 19;
   s.payload_bytes = 20.5, s.bytes = 21.5, s.bytes_peak = 22, s.degraded = {kNoReturns, kEmptyMap}, s.state_hash = "23",
   s.map_hash = "24";
+  s.health = FilterHealth{31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42};
   v.costs = {.cpu_s = 25.5,
              .cpu_ms_per_registered = 26.5,
              .cpu_stages_s = StageSeconds{1, 2, 3, 4, 5, 6, 7},
@@ -90,6 +91,19 @@ TEST(RunRecord, WritesEveryFigureUnderItsOwnKey) {
                     {"bytes", 21.5},
                     {"bytes_peak", 22},
                     {"degraded", {"no_returns", "empty_map"}},
+                    {"health",
+                     {{"records", 31},
+                      {"scans_missing", 32},
+                      {"blind_scans", 33},
+                      {"repeated_scans", 34},
+                      {"odometry_checks", 35},
+                      {"odometry_doubted", 36},
+                      {"headings", 37},
+                      {"headings_doubted", 38},
+                      {"scans_judged", 39},
+                      {"scans_doubted", 40},
+                      {"longest_doubt", 41},
+                      {"collapses", 42}}},
                     {"state_hash", "23"},
                     {"map_hash", "24"},
                     {"relations", {{"online", nullptr}, {"final", nullptr}}}};
@@ -108,6 +122,7 @@ TEST(RunRecord, WritesNullForWhatWasNotMeasuredAndZeroForZero) {
   const json v = json::parse(to_json(record_of_one()))["variants"][0];
   for (const char* key : {"percent_kept", "basis", "compressor", "recovery"}) EXPECT_TRUE(v[key].is_null()) << key;
   EXPECT_TRUE(v["scores"]["grid_mse"].is_null());
+  EXPECT_TRUE(v["scores"]["health"].is_null());
   EXPECT_TRUE(v["scores"]["relations"]["online"].is_null());
   EXPECT_TRUE(v["scores"]["relations"]["final"]["global"]["trans_mean_m"].is_null());
   EXPECT_EQ(v["scores"]["relations"]["final"]["global"]["count"], 0);

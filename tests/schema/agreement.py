@@ -91,7 +91,7 @@ class Agreement:
         return f" ({'.'.join(map(str, error.absolute_path))}: {error.message[:200]})" if error else ""
 
     def shipped(self):
-        for file in sorted((ROOT / "scenarios").glob("*.yaml")):
+        for file in sorted([*(ROOT / "scenarios").glob("*.yaml"), *(ROOT / "scenarios" / "faults").glob("*.yaml")]):
             text = file.read_text()
             if "world:" not in text and "drive:" not in text:
                 continue  # settings for replays, no scenario
@@ -128,7 +128,7 @@ class Agreement:
         for path, (chooser, usual) in CHOOSERS.items():
             every = set(at(self.schema, path)["properties"])
             for value, keys in maker.keys_of[path].items():
-                steps = tuple(path.split(".")) + ((0,) if path == "drive.waypoints" else ())
+                steps = tuple(path.split(".")) + ((0,) if path in ("drive.waypoints", "faults") else ())
                 probe = next(p for p in PROBES if self.has(p, steps, chooser, value, usual))
                 for key in sorted(every - keys):
                     there = place_value(probe, steps + (key,), self.fitting(probes, path, key))

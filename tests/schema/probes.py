@@ -29,16 +29,28 @@ PROBES = [
                                         "recovery": "tv"}}}
 ]
 
+# One of every fault.
+PROBES += [
+    {"drive": DRIVE, "faults": [dict(kind=kind, **more)]}
+    for kind, more in (("dropout", {"sensor": "lidar"}), ("frozen", {"sensor": "compass"}), ("late", {"sensor": "camera"}),
+                       ("outlier_beams", {}), ("glass", {"from_m": [1, -1], "to_m": [1, 1]}), ("magnet", {}),
+                       ("slip_patch", {}), ("camera_blackout", {}), ("push", {"at_s": 1, "impulse_n_s": [1, 0]}),
+                       ("kidnapping", {"at_s": 1, "x_m": 0, "y_m": 0}))
+]
+
 # The key that says which others there are, and its value where it is absent.
 CHOOSERS = {"world": ("kind", "simple"), "drive": ("kind", "waypoints"), "drive.waypoints": ("heading", None),
-            "slam.store": ("recovery", "fast_l2")}
+            "slam.store": ("recovery", "fast_l2"), "faults": ("kind", None)}
 
 # What a message of the readers cannot say: keys that must be there, by kind where it matters, and shapes of lists.
 REQUIRED = {"": ["drive"], "drive.waypoints": ["x_m", "y_m"], "drive.script": ["duration_s"],
-            "world.walls": ["corners_m"]}
+            "world.walls": ["corners_m"], "faults": ["kind"]}
 REQUIRED_OF = {("world", "polygons"): ["walls"], ("world", "map"): ["map"], ("drive", "waypoints"): ["waypoints"],
                ("drive", "script"): ["script"], ("drive.waypoints", "face"): ["heading_deg"],
-               ("drive.waypoints", "turn"): ["turn_rate_deg_s"]}
+               ("drive.waypoints", "turn"): ["turn_rate_deg_s"],
+               ("faults", "dropout"): ["sensor"], ("faults", "frozen"): ["sensor"], ("faults", "late"): ["sensor"],
+               ("faults", "glass"): ["from_m", "to_m"], ("faults", "push"): ["at_s"],
+               ("faults", "kidnapping"): ["at_s", "x_m", "y_m"]}
 NAME = {"pattern": r"^[A-Za-z0-9_-][A-Za-z0-9_.-]*$", "maxLength": 100}
 SHAPES = {"name": NAME, "variants.name": NAME, "slam.cell_sizes_m": {"minItems": 1, "uniqueItems": True},
           "drive.waypoints": {"minItems": 1}, "drive.script": {"minItems": 1}, "world.walls": {"minItems": 1},
