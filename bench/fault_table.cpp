@@ -53,10 +53,10 @@ void print_run(const std::string& name, std::uint32_t seed, const Scores& scores
   fmt::print(
       stderr,
       "{} {}: path {:.4f} m; without scan {}, blind {}, repeated {} of {}; odometry {} of {}; headings {} of {}; "
-      "scans {} of {}, in a row {}; collapses {}\n",
+      "scans {} of {}, in a row {}; beams {} of {}; by wheels {}; collapses {}\n",
       name, seed, std::sqrt(scores.path_mse_m2.value_or(0.0)), h.scans_missing, h.blind_scans, h.repeated_scans,
       h.records, h.odometry_doubted, h.odometry_checks, h.headings_doubted, h.headings, h.scans_doubted, h.scans_judged,
-      h.longest_doubt, h.collapses);
+      h.longest_doubt, h.beams_doubted, h.beams_known, h.by_wheels, h.collapses);
 }
 
 void add(const Scores& scores, Summary& summary) {

@@ -18,8 +18,10 @@ std::vector<Degradation> degradations(const FilterHealth& health) {
   note(many(health.scans_missing, health.records, 0.02, 5), kScansMissing);
   note(health.repeated_scans >= 3, kRepeatedScans);
   note(many(health.blind_scans, health.records, 0.02, 3), kBlindScans);
+  note(health.by_camera > 1 && many(health.by_wheels, health.by_camera + health.by_wheels, 0.02, 5), kCameraBlind);
   note(many(health.odometry_doubted, health.odometry_checks, 0.02, 2), kOdometryDoubted);
   note(many(health.headings_doubted, health.headings, 0.02, 3), kHeadingsDoubted);
+  note(many(health.beams_doubted, health.beams_known, 0.1, 500), kBeamsDoubted);
   note(health.longest_doubt >= 5, kLost);
   note(many(health.collapses, health.scans_judged, 0.2, 5), kParticlesCollapsed);
   return found;

@@ -52,12 +52,16 @@ Json health(const std::optional<FilterHealth>& h) {
           {"scans_missing", h->scans_missing},
           {"blind_scans", h->blind_scans},
           {"repeated_scans", h->repeated_scans},
+          {"by_camera", h->by_camera},
+          {"by_wheels", h->by_wheels},
           {"odometry_checks", h->odometry_checks},
           {"odometry_doubted", h->odometry_doubted},
           {"headings", h->headings},
           {"headings_doubted", h->headings_doubted},
           {"scans_judged", h->scans_judged},
           {"scans_doubted", h->scans_doubted},
+          {"beams_known", h->beams_known},
+          {"beams_doubted", h->beams_doubted},
           {"longest_doubt", h->longest_doubt},
           {"collapses", h->collapses}};
 }

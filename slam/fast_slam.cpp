@@ -39,7 +39,7 @@ FastSlam::~FastSlam() = default;
 
 bool FastSlam::update(const Reading& reading) {
   stage_.enter(Stage::kTrack);
-  scan_watch_.see(reading, health_);
+  if (scan_watch_.see(reading, health_)) return update_without_scan(reading);
   follow(reading);
   const bool first = statistics_.registered == 0;
   const bool registered = reading.scan && (first || config_.registration.due(motion_.T_last_now()));
@@ -54,6 +54,15 @@ bool FastSlam::update(const Reading& reading) {
   ++records_;
   stage_.leave();
   return registered;
+}
+
+/// A scan that a frozen lidar repeats would hold the robot where it was taken: only the motion is taken.
+bool FastSlam::update_without_scan(Reading reading) {
+  reading.scan.reset();
+  follow(reading);
+  ++records_;
+  stage_.leave();
+  return false;
 }
 
 void FastSlam::follow(const Reading& reading) {

@@ -49,6 +49,7 @@ class FastSlam {
   [[nodiscard]] std::uint64_t state_hash() const;
 
  private:
+  bool update_without_scan(Reading reading);
   void follow(const Reading& reading);
   void step(const Reading& reading);
   void spread_motion();

@@ -20,6 +20,8 @@ void MapWatch::see(const BestLook& look, double effective, int particles, Filter
   if (particles > 1 && effective < kFewParticles) ++health.collapses;
   if (look.scan.known < kEnough) return;
   ++health.scans_judged;
+  health.beams_known += look.scan.known;
+  health.beams_doubted += look.scan.contradicted;
   const bool doubted = look.scan.contradicted > kContradicted * look.scan.known;
   in_a_row_ = doubted ? in_a_row_ + 1 : 0;
   if (doubted) ++health.scans_doubted;

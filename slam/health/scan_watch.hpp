@@ -11,7 +11,8 @@ namespace cogslam {
 /// Watches the scans as they come: did each come that was due, does a beam come back, is it another one than before?
 class ScanWatch {
  public:
-  void see(const Reading& reading, FilterHealth& health);
+  /// Whether the scan equals the one before bit by bit although odometry tells of motion since: the lidar is frozen.
+  bool see(const Reading& reading, FilterHealth& health);
 
  private:
   std::vector<float> last_ranges_;

@@ -19,7 +19,8 @@ struct CompassBias {
 /// How far a heading lies from the expected one, in standard deviations of the two together.
 double compass_sigmas(double heading, double theta_map_base, const CompassModel& model, const CompassBias& bias);
 
-/// log p(heading | pose, earlier headings), and the bias learns from it.
+/// log p(heading | pose, earlier headings), and the bias learns from it. A heading over 5 standard deviations off
+/// counts as one at 5, and the bias learns nothing from it: iron nearby must not teach it.
 double compass_log_likelihood(double heading, double theta_map_base, const CompassModel& model, CompassBias& bias);
 
 }  // namespace cogslam

@@ -13,6 +13,8 @@ FilterHealth sound() {
   health.odometry_checks = 300;
   health.headings = 200;
   health.scans_judged = 180;
+  health.by_camera = 2400;
+  health.beams_known = 20000;
   return health;
 }
 
@@ -34,7 +36,8 @@ TEST(FilterDegradation, NamesEachSignOnceItIsOverItsLimit) {
     std::int64_t limit;
   };
   for (const Case& c :
-       {Case{"scans_missing", &FilterHealth::scans_missing, 48},
+       {Case{"camera_blind", &FilterHealth::by_wheels, 49}, Case{"beams_doubted", &FilterHealth::beams_doubted, 2000},
+        Case{"scans_missing", &FilterHealth::scans_missing, 48},
         Case{"repeated_scans", &FilterHealth::repeated_scans, 3}, Case{"blind_scans", &FilterHealth::blind_scans, 48},
         Case{"odometry_doubted", &FilterHealth::odometry_doubted, 6},
         Case{"headings_doubted", &FilterHealth::headings_doubted, 4}, Case{"lost", &FilterHealth::longest_doubt, 5},

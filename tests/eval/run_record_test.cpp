@@ -58,7 +58,7 @@ TEST(RunRecord, WritesEveryFigureUnderItsOwnKey) {
   s.registered = 16, s.tracked = 17, s.resamplings = 18, s.ancestors_100 = 19;
   s.payload_bytes = 20.5, s.bytes = 21.5, s.bytes_peak = 22, s.degraded = {kNoReturns, kEmptyMap}, s.state_hash = "23",
   s.map_hash = "24";
-  s.health = FilterHealth{31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42};
+  s.health = FilterHealth{31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46};
   v.costs = {.cpu_s = 25.5,
              .cpu_ms_per_registered = 26.5,
              .cpu_stages_s = StageSeconds{1, 2, 3, 4, 5, 6, 7},
@@ -96,14 +96,18 @@ TEST(RunRecord, WritesEveryFigureUnderItsOwnKey) {
                       {"scans_missing", 32},
                       {"blind_scans", 33},
                       {"repeated_scans", 34},
-                      {"odometry_checks", 35},
-                      {"odometry_doubted", 36},
-                      {"headings", 37},
-                      {"headings_doubted", 38},
-                      {"scans_judged", 39},
-                      {"scans_doubted", 40},
-                      {"longest_doubt", 41},
-                      {"collapses", 42}}},
+                      {"by_camera", 35},
+                      {"by_wheels", 36},
+                      {"odometry_checks", 37},
+                      {"odometry_doubted", 38},
+                      {"headings", 39},
+                      {"headings_doubted", 40},
+                      {"scans_judged", 41},
+                      {"scans_doubted", 42},
+                      {"beams_known", 43},
+                      {"beams_doubted", 44},
+                      {"longest_doubt", 45},
+                      {"collapses", 46}}},
                     {"state_hash", "23"},
                     {"map_hash", "24"},
                     {"relations", {{"online", nullptr}, {"final", nullptr}}}};

@@ -77,5 +77,19 @@ TEST(CompassLikelihood, NeverLearnsABiasThatIsKnownToBeNone) {
   EXPECT_EQ(bias.variance, 0.0);
 }
 
+TEST(CompassLikelihood, BelievesNoHeadingFarBeyondItsNoise) {
+  const CompassModel model{.noise = 0.03, .bias_sigma = 0.04};
+  const CompassBias prior{0.01, 0.0016};  // 0.05 rad with the noise
+  CompassBias at_gate = prior, beyond = prior, far = prior;
+  const double inside = compass_log_likelihood(0.01 + 4.999 * 0.05, 0.0, model, at_gate);
+  const double outside = compass_log_likelihood(0.01 + 5.001 * 0.05, 0.0, model, beyond);
+  EXPECT_NEAR(inside, outside, 0.01);
+  EXPECT_EQ(compass_log_likelihood(2.0, 0.0, model, far), outside);
+  EXPECT_GT(at_gate.mean, prior.mean);
+  EXPECT_EQ(far.mean, prior.mean);
+  EXPECT_EQ(far.variance, prior.variance);
+  EXPECT_NEAR(compass_sigmas(0.01 - 0.15, 0.0, model, prior), 3.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace cogslam

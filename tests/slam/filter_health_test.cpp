@@ -40,13 +40,13 @@ TEST(ScanWatch, CountsRecordsWithoutAScanAndScansWithoutReturns) {
 
 TEST(ScanWatch, CallsARepeatedScanFrozenOnlyOnceTheRobotMoved) {
   const std::vector<float> a(50, 1.0F), b(50, 1.5F);
-  const Pose2 step{0.011, 0.0, 0.0};
+  const Pose2 step{0.003, 0.0, 0.0};
   EXPECT_EQ(watch_scans({reading_of({}, a), reading_of({}, a), reading_of({}, a)}).repeated_scans, 0);
   EXPECT_EQ(watch_scans({reading_of(step, a), reading_of(step, b), reading_of(step, a)}).repeated_scans, 0);
   EXPECT_EQ(
       watch_scans({reading_of(step, a), reading_of(step, a), reading_of(step, a), reading_of(step, a)}).repeated_scans,
       2)
-      << "after 22 and 33 mm, not after 11";
+      << "after 6 and 9 mm, not after 3";
   EXPECT_EQ(watch_scans({reading_of({}, a), reading_of({0.0, 0.0, 0.1}, a)}).repeated_scans, 1);
 }
 
@@ -83,6 +83,8 @@ TEST(MapWatch, CountsContradictedScansAndTheLongestRunOfThem) {
   watch.see(look(10, 10), 20.0, 30, health);
   EXPECT_EQ(health.scans_judged, 8) << "ten known probes say nothing";
   EXPECT_EQ(health.scans_doubted, 5);
+  EXPECT_EQ(health.beams_known, 800);
+  EXPECT_EQ(health.beams_doubted, 370);
   EXPECT_EQ(health.longest_doubt, 3);
 }
 
@@ -146,6 +148,20 @@ TEST(FilterHealth, TellsAKidnappingByScansAndHeadings) {
   const FilterHealth health = health_of(log, 2);
   EXPECT_GE(health.longest_doubt, 5);
   EXPECT_GT(health.headings_doubted, 10);
+}
+
+TEST(FilterHealth, AFrozenLidarDoesNotHoldTheRobotBack) {
+  SyntheticLog log = drive_round(120, 3);
+  for (std::size_t i = 60; i < 90; ++i) log.readings[i].scan = log.readings[59].scan;
+  Workers workers(2);
+  FastSlam filter(config_for(log), 1, workers);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < log.readings.size(); ++i) {
+    filter.update(log.readings[i]);
+    farthest = std::max(farthest, (filter.T_map_base().position() - log.truth[i].position()).norm());
+  }
+  EXPECT_EQ(filter.health().repeated_scans, 30);
+  EXPECT_LT(farthest, 0.15) << "odometry alone carries it for 1.5 m";
 }
 
 }  // namespace
