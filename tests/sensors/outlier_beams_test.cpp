@@ -60,7 +60,7 @@ TEST(OutlierBeams, AreOthersInEverySweepAndTheSameForTheSameSeed) {
 TEST(OutlierBeams, ReadTheirPlaceInTheFile) {
   ConfigSection section = ConfigSection::parse("{share: 0.3, shortest_m: 5, longest_m: 4}", "f.yaml");
   EXPECT_EQ(error_text([&] { read_outlier_beams(section, 0); }),
-            "f.yaml:1:40: longest_m: longest_m is not above shortest_m, expected shortest_m < longest_m");
+            "f.yaml:1:29: longest_m is not above shortest_m, expected shortest_m < longest_m");
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ TEST(StreamFaults, SayWhatIsWrongInTheFile) {
   EXPECT_EQ(message_of("{probability: 0.5}", StreamFaultKind::kDropout),
             "f.yaml:1:1: 'sensor' is missing, expected one of lidar, compass, wheels, camera");
   EXPECT_EQ(message_of("{sensor: lidar, from_s: 3, to_s: 3}", StreamFaultKind::kFrozen),
-            "f.yaml:1:32: to_s: the fault ends before it begins, expected from_s < to_s");
+            "f.yaml:1:28: the fault ends before it begins, expected from_s < to_s");
   EXPECT_THAT(message_of("{sensor: lidar, probability: 1.5}", StreamFaultKind::kDropout),
               testing::HasSubstr("f.yaml:1:30: probability: expected a number in [0, 1], found '1.5'"));
   EXPECT_THAT(message_of("{sensor: sonar}", StreamFaultKind::kLate),
