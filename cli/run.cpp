@@ -19,6 +19,9 @@ void tell_of_drive(const Drive& drive, ProgressLine& progress) {
     progress.say(fmt::format("no estimate from the camera in {} of {} spans: wheels stood in",
                              drive.camera_spans_without, drive.camera_spans));
   }
+  if (drive.pictures_repeated > 0) {
+    progress.say(fmt::format("{} pictures of the camera equal the one before: it was frozen", drive.pictures_repeated));
+  }
   if (drive.stuck) progress.warn("the vehicle was stuck for 5 s at some time: look at the route");
 }
 

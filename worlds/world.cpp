@@ -29,8 +29,8 @@ Rectangle World::bounds() const {
   EXPECTS(!surfaces.empty());
   Rectangle out{surfaces.front().a, surfaces.front().a};
   for (const Segment& s : surfaces) {
-    out.min = out.min.cwiseMin(s.a);
-    out.max = out.max.cwiseMax(s.a);
+    out.min = out.min.cwiseMin(s.a).cwiseMin(s.b);
+    out.max = out.max.cwiseMax(s.a).cwiseMax(s.b);
   }
   return out;
 }

@@ -53,19 +53,19 @@ TEST(FaultList, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(message_of("{kind: drop_out}"), testing::HasSubstr("f.yaml:5:12: kind: expected one of dropout, frozen"));
   EXPECT_THAT(message_of("{kind: glass, to_m: [0, 1]}"), testing::HasSubstr("'from_m' is missing"));
   EXPECT_THAT(message_of("{kind: glass, from_m: [0.5, 1], to_m: [0.5, 1]}"),
-              testing::HasSubstr("to_m: the pane ends where it begins, expected at least 0.01 m of glass"));
+              testing::HasSubstr("f.yaml:5:37: the pane ends where it begins, expected at least 0.01 m of glass"));
   EXPECT_THAT(message_of("{kind: glass, from_m: [0.5, 1], to_m: [5e8, 1]}"),
-              testing::HasSubstr("to_m: with this pane the world is larger than 200 m"));
-  EXPECT_THAT(
-      message_of("{kind: frozen, sensor: camera}"),
-      testing::HasSubstr("f.yaml:5:24: sensor: the robot has no such sensor, expected one that is switched on"));
+              testing::HasSubstr("f.yaml:5:37: with this pane the world is larger than 200 m"));
+  EXPECT_THAT(message_of("{kind: frozen, sensor: camera}"),
+              testing::HasSubstr("f.yaml:5:20: the robot has no such sensor, expected one that is switched on"));
   EXPECT_THAT(message_of("{kind: magnet}", "{camera: {enabled: false}, compass: {rate_hz: 0}}"),
               testing::HasSubstr("f.yaml:5:5: the robot has no such sensor"));
-  EXPECT_THAT(message_of("{kind: kidnapping, at_s: 1, x_m: 8, y_m: 0}"),
-              testing::HasSubstr("x_m: the robot is set down outside of the room, expected a place on its floor"));
+  EXPECT_THAT(
+      message_of("{kind: kidnapping, at_s: 1, x_m: 8, y_m: 0}"),
+      testing::HasSubstr("f.yaml:5:33: the robot is set down outside of the room, expected a place on its floor"));
   EXPECT_THAT(
       message_of("{kind: push, at_s: 1, impulse_n_s: [1, 0]}\n  - {kind: kidnapping, at_s: 1, x_m: 1.5, y_m: 0}"),
-      testing::HasSubstr("f.yaml:6:39: x_m: the robot is set down in a wall, a box or glass"));
+      testing::HasSubstr("f.yaml:6:33: the robot is set down in a wall, a box or glass"));
 }
 
 TEST(FaultList, APaneUnderTheRobotIsNoPlaceToStart) {

@@ -36,5 +36,12 @@ TEST(Glass, LeavesWallsThatItCrossesOrRunsBeside) {
   EXPECT_NEAR(length_of(room.opaque_segments()), 16.0, 1e-12);
 }
 
+TEST(Glass, BelongsToTheBoundsOfTheWorldWithBothEnds) {
+  World room = square_room(4.0);
+  room.panes = {{{0.0, 0.0}, {7.0, -5.0}}};
+  EXPECT_EQ(room.bounds().max, Eigen::Vector2d(7.0, 2.0));
+  EXPECT_EQ(room.bounds().min, Eigen::Vector2d(-2.0, -5.0));
+}
+
 }  // namespace
 }  // namespace cogslam
