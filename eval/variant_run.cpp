@@ -3,6 +3,7 @@
 #include "core/check.hpp"
 #include "core/error.hpp"
 #include "core/hash.hpp"
+#include "eval/filter_degradation.hpp"
 #include "eval/metrics/map_error.hpp"
 #include "eval/metrics/path_completion.hpp"
 #include "eval/metrics/path_error.hpp"
@@ -232,6 +233,10 @@ VariantRun run_variant(const VariantConfig& variant, std::uint32_t seed, const R
   }
   scores.map_hash = map_hash(run.map);
   scores.degraded = degradations(recording, variant.slam.sweep, run.map);
+  if (scores.health) {
+    const std::vector<Degradation> seen_by_filter = degradations(*scores.health);
+    scores.degraded.insert(scores.degraded.end(), seen_by_filter.begin(), seen_by_filter.end());
+  }
   scores.payload_bytes_bitmap = bitmap_payload(variant.slam, *scores.payload_bytes);
   if (evidence.truth != nullptr) {
     score_map(run.map, *evidence.truth, scores);

@@ -7,6 +7,8 @@
 namespace cogslam {
 namespace {
 
+constexpr Range kAnywhere{-1e4, 1e4};  // [m]
+
 void require(const ConfigSection& section, const std::string& key, const char* expected) {
   if (!section.has(key)) section.fail(key, "'" + key + "' is missing, expected " + expected);
 }
@@ -33,9 +35,9 @@ Push read_push(ConfigSection& section) {
 Kidnapping read_kidnapping(ConfigSection& section) {
   Kidnapping kidnapping{.at = read_moment(section)};
   require(section, "x_m", "a number");
-  section.read("x_m", kidnapping.T_map_base.x);
+  section.read("x_m", kidnapping.T_map_base.x, kAnywhere);
   require(section, "y_m", "a number");
-  section.read("y_m", kidnapping.T_map_base.y);
+  section.read("y_m", kidnapping.T_map_base.y, kAnywhere);
   section.read_degrees("heading_deg", kidnapping.T_map_base.theta, {-360.0, 360.0});
   kidnapping.T_map_base.theta = wrap_angle(kidnapping.T_map_base.theta);
   return kidnapping;

@@ -4,10 +4,11 @@ namespace cogslam {
 namespace {
 
 constexpr double kShortestPane = 0.01;  // [m]
+constexpr Range kAnywhere{-1e4, 1e4};   // [m]
 
 void read_place(ConfigSection& section, Eigen::Vector2d& place) {
-  section.read("x_m", place.x());
-  section.read("y_m", place.y());
+  section.read("x_m", place.x(), kAnywhere);
+  section.read("y_m", place.y(), kAnywhere);
 }
 
 }  // namespace
@@ -15,7 +16,7 @@ void read_place(ConfigSection& section, Eigen::Vector2d& place) {
 SlipPatch read_slip_patch(ConfigSection& section) {
   SlipPatch patch;
   read_place(section, patch.centre);
-  section.read("radius_m", patch.radius, kPositive);
+  section.read("radius_m", patch.radius, {1e-3, 1e4});
   section.read("friction", patch.friction, {0.0, 1.0});
   return patch;
 }
@@ -25,8 +26,8 @@ Segment read_glass(ConfigSection& section) {
   for (const char* key : {"from_m", "to_m"}) {
     if (!section.has(key)) section.fail(key, std::string("'") + key + "' is missing, expected two numbers");
   }
-  section.read("from_m", pane.a);
-  section.read("to_m", pane.b);
+  section.read("from_m", pane.a, kAnywhere);
+  section.read("to_m", pane.b, kAnywhere);
   if ((pane.b - pane.a).norm() < kShortestPane) {
     section.fail("to_m", "the pane ends where it begins, expected at least 0.01 m of glass");
   }

@@ -77,10 +77,11 @@ constexpr std::array kWords{
         "Lower, at equal path and map error."},
     ScoreWords{"bytes_peak", "All bytes per particle, peak", "bytes", "The most there was at any registered scan.",
                "Lower: it is what must fit into memory."},
-    ScoreWords{"degraded", "Reasons to doubt", "",
-               "Why the figures mean less than usual: no_returns, no beam came back and the path is odometry's; "
-               "empty_map, no scan changed a cell.",
-               "None."},
+    ScoreWords{
+        "degraded", "Reasons to doubt", "",
+        "Why the figures mean less than usual: no_returns, no beam came back and the path is odometry's; "
+        "empty_map, no scan changed a cell; the others name what readings and belief disagree about (docs/faults.md).",
+        "None."},
     ScoreWords{"health", "Signs of trouble", "counts",
                "How often readings and belief did not go together: scans that were missing, empty or repeated; "
                "odometry, headings and scans that were doubted.",

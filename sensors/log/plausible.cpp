@@ -89,7 +89,7 @@ std::optional<std::string> defect(const World& world) {
   const std::vector<Segment> surfaces = world.segments();
   if (surfaces.empty()) return "the world has no surface, expected at least one wall";
   for (const Segment& surface : surfaces) {
-    if (!surface.a.allFinite()) return "a corner of the world is not finite, expected metres";
+    if (!surface.a.allFinite() || !surface.b.allFinite()) return "a corner of the world is not finite, expected metres";
   }
   const Rectangle bounds = world.bounds();
   if (!((bounds.max - bounds.min).maxCoeff() <= kLargestRoom && within(bounds.min.x(), kFarthest) &&
