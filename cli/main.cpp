@@ -58,10 +58,10 @@ int main_program(int argc, char** argv) {
   program.footer(
       "Exit codes: 0 ok, 1 gate failed, 2 usage or scenario error, 3 a run failed, 4 nothing measured, "
       "130 interrupted.\nData go to standard output, messages to standard error.");
-  const std::vector<Command> commands{run_command(program),     replay_command(program), validate_command(program),
-                                      gate_command(program),    lab_command(program),    sense_command(program),
-                                      world_command(program),   sweep_command(program),  sweep_worker_command(program),
-                                      generate_command(program)};
+  const std::vector<Command> commands{
+      run_command(program),     replay_command(program),       validate_command(program), gate_command(program),
+      lab_command(program),     sense_command(program),        world_command(program),    sweep_command(program),
+      figures_command(program), sweep_worker_command(program), generate_command(program)};
   try {
     if (argc > 1) reject_unknown_command(program, {argv + 1, static_cast<std::size_t>(argc - 1)});
     program.parse(argc, argv);

@@ -68,6 +68,7 @@ TEST(ManPage, NamesEveryCommandAndOptionOfTheHelp) {
                                                   {"lab", "signal"},
                                                   {"lab", "map"},
                                                   {"lab", "figures"},
+                                                  {"figures"},
                                                   {"sense", "recover"},
                                                   {"sense", "log"},
                                                   {"sweep"},
