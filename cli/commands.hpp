@@ -20,7 +20,6 @@ Command lab_command(CLI::App& program);
 Command sense_command(CLI::App& program);
 Command world_command(CLI::App& program);
 Command sweep_command(CLI::App& program);
-Command figures_command(CLI::App& program);
 Command sweep_worker_command(CLI::App& program);
 Command generate_command(CLI::App& program);
 

@@ -1,10 +1,12 @@
+#include "cli/figures.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <thread>
 
-#include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
 #include "cli/progress.hpp"
 #include "core/error.hpp"
@@ -20,7 +22,7 @@ struct FiguresArguments {
   std::filesystem::path files = "scenarios/sweeps";
   std::filesystem::path sweeps = "sweeps";
   std::filesystem::path out = "figures";
-  std::optional<std::uint32_t> seeds;
+  std::optional<std::size_t> seeds;
   int workers = 1;
   bool only_draw = false;
   bool quiet = false;
@@ -57,6 +59,17 @@ std::filesystem::path folder_of(const FiguresArguments& arguments, const std::st
   return arguments.sweeps / name;
 }
 
+void keep_first_seeds(std::size_t count, SweepPlan& plan) {
+  std::set<std::uint32_t> seeds;
+  for (const PlannedEpisode& episode : plan.episodes) seeds.insert(episode.seed);
+  if (seeds.size() < count) {
+    throw InputError(
+        fmt::format("--seeds {}: sweep {} has {} seeds, expected at most that many", count, plan.name, seeds.size()));
+  }
+  std::erase_if(plan.episodes, [last = *std::next(seeds.begin(), static_cast<std::ptrdiff_t>(count) - 1)](
+                                   const PlannedEpisode& episode) { return episode.seed > last; });
+}
+
 /// To draw alone the table must be there and whole: this says how it comes about.
 MeasuredSweep found_sweep(SweepPlan plan, SweepFolder folder, const std::filesystem::path& file) {
   const std::string remedy = fmt::format("run `cogslam sweep {} --out {}`", file.string(), folder.root.string());
@@ -73,7 +86,8 @@ MeasuredSweep found_sweep(SweepPlan plan, SweepFolder folder, const std::filesys
 
 MeasuredSweep measured_sweep(const std::string& name, const FiguresArguments& arguments, ProgressLine& progress) {
   const std::filesystem::path file = arguments.files / (name + ".yaml");
-  SweepPlan plan = load_sweep(file, arguments.seeds);
+  SweepPlan plan = load_sweep(file);
+  if (arguments.seeds) keep_first_seeds(*arguments.seeds, plan);
   const SweepFolder folder{folder_of(arguments, name)};
   if (arguments.only_draw) return found_sweep(std::move(plan), folder, file);
   Sweep sweep(std::move(plan), folder);

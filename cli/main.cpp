@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/exit_codes.hpp"
+#include "cli/figures.hpp"
 #include "cli/interrupt.hpp"
 #include "core/config.hpp"
 #include "core/error.hpp"

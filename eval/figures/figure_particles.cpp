@@ -1,9 +1,6 @@
 // What the paper lacks: more particles, or better maps, for the same bytes?
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/number_text.hpp"
 #include "eval/figures/curve.hpp"
 #include "eval/figures/experiment_figure.hpp"

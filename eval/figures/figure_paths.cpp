@@ -1,8 +1,6 @@
 // Figures 12 to 14: path and map of one drive, by OG and from 40 % of the coefficients.
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "eval/figures/episode_score.hpp"
 #include "eval/figures/experiment_figure.hpp"
 #include "eval/figures/picture.hpp"

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/number_text.hpp"
 #include "eval/figures/curve.hpp"

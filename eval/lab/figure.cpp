@@ -33,13 +33,10 @@ LabFigure lab_figure(int number, const FigureConfig& config, Workers& workers, c
 }
 
 void write_figure(const std::filesystem::path& folder, int number, const LabFigure& figure) {
-  write_figure(folder, fmt::format("figure_{:02}", number), figure);
-}
-
-void write_figure(const std::filesystem::path& folder, const std::string& stem, const LabFigure& figure) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw InputError({folder.string()}, "cannot be written: " + error.message());
+  const std::string stem = fmt::format("figure_{:02}", number);
   write_file(folder / (stem + ".csv"), figure.csv);
   write_file(folder / (stem + ".svg"), chart_svg(figure.sheet));
   write_file(folder / (stem + ".png"), chart_png(figure.sheet));

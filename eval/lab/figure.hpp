@@ -35,8 +35,6 @@ SignalStudy comparison_study(const FigureConfig& config);
 
 /// Writes figure_01.csv, .svg and .png into a folder, made where it does not exist.
 void write_figure(const std::filesystem::path& folder, int number, const LabFigure& figure);
-/// <stem>.csv, .svg and .png.
-void write_figure(const std::filesystem::path& folder, const std::string& stem, const LabFigure& figure);
 
 // One file each.
 LabFigure figure_test_signal();  // 1

@@ -38,8 +38,7 @@ struct ChartAxis {
 struct ChartImage {
   Grid<float> values;
   bool diverging = false;
-  bool y_down = false;                     ///< the first row on top, as a matrix; else at the bottom, as a map
-  std::optional<double> white{}, black{};  ///< these values in place of the least and the greatest (not `diverging`)
+  bool y_down = false;  ///< the first row on top, as a matrix; else at the bottom, as a map
 };
 
 struct Chart {

@@ -19,12 +19,12 @@ class Shades {
  public:
   explicit Shades(const ChartImage& image) : diverging_(image.diverging) {
     const auto [least, most] = std::minmax_element(image.values.values().begin(), image.values.values().end());
-    min_ = image.white.value_or(*least);
-    span_ = diverging_ ? std::max(std::abs(*least), std::abs(*most)) : image.black.value_or(*most) - min_;
+    min_ = *least;
+    span_ = diverging_ ? std::max(std::abs(*least), std::abs(*most)) : *most - *least;
     if (!(span_ > 0.0)) span_ = 1.0;
   }
   [[nodiscard]] Colour of(float value) const {
-    if (!diverging_) return mixed(kWhite, kBlack, std::clamp((static_cast<double>(value) - min_) / span_, 0.0, 1.0));
+    if (!diverging_) return mixed(kWhite, kBlack, (static_cast<double>(value) - min_) / span_);
     return mixed(kWhite, value < 0.0F ? kBlue : kVermilion, std::sqrt(std::abs(static_cast<double>(value)) / span_));
   }
 

@@ -1,6 +1,5 @@
 #include "eval/sweep/plan.hpp"
 
-#include <numeric>
 #include <optional>
 
 #include "core/hash.hpp"
@@ -113,12 +112,8 @@ void plan_world(const SweepFile& config, const SweepWorld& world, std::vector<Pl
 
 }  // namespace
 
-SweepPlan load_sweep(const std::filesystem::path& file, std::optional<std::uint32_t> seeds) {
-  SweepFile config = SweepFile::load(file);
-  if (seeds) {
-    config.seeds.resize(*seeds, config.seeds.front());
-    std::iota(config.seeds.begin(), config.seeds.end(), config.seeds.front());
-  }
+SweepPlan load_sweep(const std::filesystem::path& file) {
+  const SweepFile config = SweepFile::load(file);
   SweepPlan plan{.name = config.name};
   for (const SweepWorld& world : config.worlds()) plan_world(config, world, plan.episodes);
   return plan;

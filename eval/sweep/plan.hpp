@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +30,7 @@ struct SweepPlan {
 };
 
 /// Reads a sweep file (docs/sweeps.md) and every scenario that it names. Throws InputError with file:line:column for
-/// anything that is not right. `seeds`: how many, from the file's first one on, in place of those that it states.
-SweepPlan load_sweep(const std::filesystem::path& file, std::optional<std::uint32_t> seeds = {});
+/// anything that is not right.
+SweepPlan load_sweep(const std::filesystem::path& file);
 
 }  // namespace cogslam
