@@ -96,8 +96,6 @@ MeasuredSweep measured_sweep(const std::string& name, const FiguresArguments& ar
   return {sweep.plan(), sweep.folder(), sweep.results()};
 }
 
-std::string stem_of(const ExperimentFigure& figure) { return "figure_" + figure.name; }
-
 int run(const FiguresArguments& arguments) {
   const std::vector<const ExperimentFigure*> figures = chosen(arguments);
   ProgressLine progress(static_cast<int>(figures.size()), arguments.quiet);
@@ -108,8 +106,8 @@ int run(const FiguresArguments& arguments) {
       if (!sweeps.contains(name)) sweeps.emplace(name, measured_sweep(name, arguments, progress));
     }
     const Progress report = progress.begin()(fmt::format("figure {}: {}", figure->name, figure->shows));
-    write_figure(arguments.out, stem_of(*figure),
-                 figure->make({.sweeps = sweeps, .workers = workers, .progress = report}));
+    write_experiment_figure(arguments.out, *figure,
+                            figure->make({.sweeps = sweeps, .workers = workers, .progress = report}));
   }
   progress.end_stage();
   progress.clear();
@@ -132,9 +130,8 @@ void add_figures_options(CLI::App& parser, FiguresArguments& arguments) {
       ->type_name("DIR")
       ->capture_default_str();
   parser.add_option("--out", arguments.out, "folder of the figures")->type_name("DIR")->capture_default_str();
-  parser
-      .add_option("--seeds", arguments.seeds, "drives behind every mean, in place of those that the sweep file states")
-      ->check(CLI::Range(1U, 100000U));
+  parser.add_option("--seeds", arguments.seeds, "only the first drives of those that the sweep files state")
+      ->check(CLI::Range(1, 100000));
   arguments.workers = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   parser.add_option("-j,--workers", arguments.workers, "episodes at a time; the scores do not depend on it")
       ->check(CLI::Range(1, 1024))

@@ -35,6 +35,10 @@ const std::vector<ExperimentFigure>& experiment_figures();
 /// The one of this name; InputError, with all there are, for others.
 const ExperimentFigure& experiment_figure(const std::string& name);
 
+/// Writes figure_<name>.csv, .svg and .png into a folder, made where it does not exist.
+void write_experiment_figure(const std::filesystem::path& folder, const ExperimentFigure& which,
+                             const LabFigure& figure);
+
 // One file each.
 LabFigure figure_baseline(const FigureInputs& inputs);                                   // 12
 LabFigure figure_l2_path_and_map(const FigureInputs& inputs);                            // 13

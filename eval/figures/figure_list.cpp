@@ -1,9 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "core/config.hpp"
 #include "core/error.hpp"
+#include "core/output_file.hpp"
 #include "eval/figures/experiment_figure.hpp"
 
 namespace cogslam {
@@ -47,6 +45,17 @@ const ExperimentFigure& experiment_figure(const std::string& name) {
   std::string names;
   for (const ExperimentFigure& figure : all) names += (names.empty() ? "" : ", ") + figure.name;
   throw InputError("no figure '" + name + "', expected one of " + names);
+}
+
+void write_experiment_figure(const std::filesystem::path& folder, const ExperimentFigure& which,
+                             const LabFigure& figure) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError({folder.string()}, "cannot be written: " + error.message());
+  const std::filesystem::path stem = folder / ("figure_" + which.name);
+  write_file(stem.string() + ".csv", figure.csv);
+  write_file(stem.string() + ".svg", chart_svg(figure.sheet));
+  write_file(stem.string() + ".png", chart_png(figure.sheet));
 }
 
 }  // namespace cogslam

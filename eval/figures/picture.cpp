@@ -57,7 +57,7 @@ Chart map_chart(const std::string& title, const std::string& below, const Grid<f
   Chart chart;
   chart.title = title;
   chart.x.label = below;
-  chart.image = ChartImage{.values = Grid<float>(log_odds.frame()), .white = 0.0, .black = 1.0};
+  chart.image = ChartImage{.values = Grid<float>(log_odds.frame())};
   std::transform(log_odds.values().begin(), log_odds.values().end(), chart.image->values.values().begin(),
                  [](float l) { return static_cast<float>(scored_probability(l)); });
   return chart;

@@ -19,7 +19,8 @@ struct NamedPath {
 /// The room's surfaces and paths through it, x and y to one scale.
 Chart path_chart(const std::string& title, const World& world, const std::vector<NamedPath>& paths);
 
-/// Probabilities, saturated as they are scored: white free, grey unknown, black occupied, alike in every picture.
+/// Probabilities, saturated as they are scored: white free, grey unknown, black occupied; alike in all pictures of maps
+/// that reach both ends of the saturation.
 Chart map_chart(const std::string& title, const std::string& below, const Grid<float>& log_odds);
 
 /// Lines for the head `kPictureHead`: a pose each, and a cell each.
