@@ -7,7 +7,12 @@
 // FOLDER takes the files in between. Every EVERY-th scan is kept (0: so many that at most 1800 are left) and all
 // odometry; seeds 1 to SEEDS. SETTINGS, with commas between: `grid` and `icp` are MRPT's shipped gridmapping_intel.ini
 // and gridmapping_RBPF_ICPbased_intel.ini with our number of particles and, for the grid, our cell size;
-// `grid-shipped` and `icp-shipped` keep also those. Conclusion: see docs/results.md, "Beside MRPT".
+// `grid-shipped` and `icp-shipped` keep also those.
+//
+// Conclusion, every 5th scan of Intel, one seed, 2 virtual cores of an Intel Xeon at 2.6 GHz: `grid` takes 12 times our
+// CPU and 29 times our memory; local error 1.6 times ours. Its loops stay open, since MRPT 2.5.8 spaces beams by
+// aperture / n in the grid and by aperture / (n - 1) in the points that it matches, so that its map turns with each
+// scan: with beams of 1 deg some 0.3 deg. `icp` has no such fault. See docs/results.md, "Beside MRPT".
 
 #include <fmt/format.h>
 
