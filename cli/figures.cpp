@@ -92,7 +92,7 @@ MeasuredSweep measured_sweep(const std::string& name, const FiguresArguments& ar
   if (arguments.only_draw) return found_sweep(std::move(plan), folder, file);
   Sweep sweep(std::move(plan), folder);
   if (const auto missing = sweep.missing(); !missing.empty()) measure(sweep, missing, arguments.workers, progress);
-  sweep.export_tables();
+  sweep.export_results();
   return {sweep.plan(), sweep.folder(), sweep.results()};
 }
 

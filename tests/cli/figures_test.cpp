@@ -17,18 +17,19 @@ using testing::StartsWith;
 class FiguresProgram : public testing::Test {
  protected:
   void SetUp() override {
-    folder_.file("paper_l2.yaml",
-                 "seeds: {first: 1, count: 3}\n"
-                 "worlds:\n"
-                 "  - scenario: " COGSLAM_SOURCE_DIR
-                 "/scenarios/simple.yaml\n"
-                 "    set: [{key: duration_s, value: 3}, {key: slam.proposal, value: motion}, {key: slam.particles, "
-                 "value: 2}]\n"
-                 "cell_sizes_m: [0.1]\n"
-                 "true_poses: false\n"
-                 "variants:\n"
-                 "  - {name: og, slam: {store: {kind: dense}}}\n"
-                 "  - {name: l2_40, slam: {store: {kind: coefficients}}}\n");
+    (void)folder_.file(
+        "paper_l2.yaml",
+        "seeds: {first: 1, count: 3}\n"
+        "worlds:\n"
+        "  - scenario: " COGSLAM_SOURCE_DIR
+        "/scenarios/simple.yaml\n"
+        "    set: [{key: duration_s, value: 3}, {key: slam.proposal, value: motion}, {key: slam.particles, "
+        "value: 2}]\n"
+        "cell_sizes_m: [0.1]\n"
+        "true_poses: false\n"
+        "variants:\n"
+        "  - {name: og, slam: {store: {kind: dense}}}\n"
+        "  - {name: l2_40, slam: {store: {kind: coefficients}}}\n");
   }
   [[nodiscard]] Outcome figures(const std::vector<std::string>& more) const {
     std::vector<std::string> arguments{

@@ -188,7 +188,7 @@ TEST_F(Gate, WritesJUnitThatAnXmlReaderTakes) {
 TEST_F(Gate, StopsAtAnInterruptAndWritesNothing) {
   const TemporaryFolder elsewhere;
   const std::string file = elsewhere.file("gate.yaml", gate_file("baseline_seeds: 2000\n"));
-  const Outcome outcome = run_program({"gate", file, "--update"}, "quick, seed 2");
+  const Outcome outcome = run_program({"gate", file, "--update"}, {.interrupt_at = "quick, seed 2"});
   EXPECT_EQ(outcome.code, kInterrupted);
   EXPECT_FALSE(fs::exists(elsewhere.path() / "baselines" / "quick.yaml"));
 }
