@@ -7,6 +7,8 @@
 namespace cogslam {
 namespace {
 
+constexpr std::size_t kMostPoints = 10'000;
+
 SweepAxis read_axis(ConfigSection entry) {
   SweepAxis axis;
   entry.read("key", axis.key);
@@ -30,7 +32,14 @@ SweepAxis read_axis(ConfigSection entry) {
 
 std::vector<SweepAxis> read_axes(ConfigSection& section) {
   std::vector<SweepAxis> axes;
-  for (ConfigSection& entry : section.sections("each")) axes.push_back(read_axis(entry));
+  std::size_t points = 1;
+  for (ConfigSection& entry : section.sections("each")) {
+    axes.push_back(read_axis(entry));
+    points *= axes.back().values.size();
+    if (points > kMostPoints) {
+      entry.fail("key", axes.back().key + ": too many combinations, expected at most " + std::to_string(kMostPoints));
+    }
+  }
   return axes;
 }
 
