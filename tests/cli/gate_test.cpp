@@ -74,7 +74,8 @@ std::string content(const fs::path& file) {
 /// The figures that failed, as "variant metric".
 std::vector<std::string> failed(const Outcome& outcome) {
   std::vector<std::string> names;
-  for (const auto& figure : json::parse(outcome.out)["results"][0]["figures"]) {
+  const json report = json::parse(outcome.out);
+  for (const auto& figure : report["results"][0]["figures"]) {
     if (figure["verdict"] == "FAIL")
       names.push_back(figure["variant"].get<std::string>() + " " + figure["metric"].get<std::string>());
   }
@@ -98,7 +99,7 @@ TEST_F(Gate, PassesUnchangedCodeWithFreshSeedsAndWithTheSame) {
   const Outcome same = gate({"--first-seed", "3", "--seeds", "12"});
   EXPECT_EQ(same.code, kOk) << same.out;
   EXPECT_THAT(same.out, HasSubstr("quick: seeds 3 to 14 against 20 of the baseline, paired: the same seeds\n"));
-  EXPECT_THAT(same.out, HasSubstr("     +0.00 %     +0.00 %"));
+  EXPECT_THAT(same.out, HasSubstr("    +0.00 %    +0.00 %    +1.00 %"));
   EXPECT_EQ(gate({"--first-seed", "3", "--seeds", "12", "-j", "1"}).out, same.out) << "on one thread";
 }
 
@@ -129,10 +130,9 @@ TEST_F(Gate, SaysWhereItsSeedsCannotTell) {
 
 TEST_F(Gate, SaysWhereNoScanEverCame) {
   const std::string file = folder_->file(
-      "blind.yaml",
-      "baselines: none\nseeds: 2\nbaseline_seeds: 2\nscenarios: [{file: " COGSLAM_SOURCE_DIR
-      "/scenarios/simple.yaml, set: [{key: duration_s, value: 0.1}, {key: sensors.lidar.rate_hz, value: "
-      "0.01}, {key: sensors.camera.enabled, value: \"false\"}, {key: odometry.source, value: wheel}]}]\n");
+      "blind.yaml", "baselines: none\nseeds: 2\nbaseline_seeds: 2\nscenarios: [{file: " COGSLAM_SOURCE_DIR
+                    "/scenarios/faults/lidar_dropout.yaml, name: simple, set: [{key: duration_s, value: 0.2}, {key: "
+                    "faults.0.probability, value: 1}, {key: faults.0.from_s, value: 0}]}]\n");
   const Outcome update = run_program({"gate", file, "--update", "--quiet"});
   EXPECT_EQ(update.code, kNothingMeasured) << update.err;
   EXPECT_THAT(update.err, HasSubstr("simple: nothing measured, "));

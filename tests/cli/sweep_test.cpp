@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cli/exit_codes.hpp"
+#include "eval/scenario.hpp"
 #include "eval/sweep/folder.hpp"
 #include "eval/sweep/plan.hpp"
 #include "sensors/log/recording.hpp"
@@ -112,13 +113,15 @@ TEST(Sweep, PrintsWhatItWouldDo) {
 
 TEST(Sweep, SaysSoWhereNothingCanBeMeasured) {
   const ShortSweep sweep;
-  const std::vector<Reading> no_readings;
+  const std::vector<Reading> no_scan{Reading{}};
+  const World world = load_scenario(COGSLAM_SOURCE_DIR "/scenarios/simple.yaml").world;
   for (const std::string name : {"a", "b"}) {
     const SweepFolder folder{sweep.out(name)};
     folder.make();
     for (const PlannedEpisode& episode : load_sweep(sweep.root() / "sweep.yaml").episodes) {
-      write_recording(folder.readings(episode.readings_key), {});
-      write_truth_log(folder.truth(episode.readings_key), {.readings_hash = readings_hash(no_readings)});
+      write_recording(folder.readings(episode.readings_key), {.readings = no_scan});
+      write_truth_log(folder.truth(episode.readings_key),
+                      {.readings_hash = readings_hash(no_scan), .world = world, .poses = {TruePose{}}});
     }
   }
   const Outcome nothing = run_program(sweep.words("a"));

@@ -142,12 +142,11 @@ TEST(FilterHealth, IsGoodOnASoundLogAndTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(health_of(log, 3), health);
 }
 
-TEST(FilterHealth, TellsAKidnappingByScansAndHeadings) {
+/// In so small a room the scans soon agree with what is drawn anew around the wrong place: only the compass tells.
+TEST(FilterHealth, TellsAKidnappingByHeadings) {
   SyntheticLog log = drive_round(160, 3);
   log.readings.erase(log.readings.begin() + 80, log.readings.begin() + 120);  // 2 m and 110 degrees without a word
-  const FilterHealth health = health_of(log, 2);
-  EXPECT_GE(health.longest_doubt, 5);
-  EXPECT_GT(health.headings_doubted, 10);
+  EXPECT_GT(health_of(log, 2).headings_doubted, 10);
 }
 
 TEST(FilterHealth, AFrozenLidarDoesNotHoldTheRobotBack) {
