@@ -22,7 +22,7 @@ std::vector<Degradation> degradations(const FilterHealth& health) {
   note(many(health.odometry_doubted, health.odometry_checks, 0.02, 2), kOdometryDoubted);
   note(many(health.headings_doubted, health.headings, 0.02, 3), kHeadingsDoubted);
   note(many(health.beams_doubted, health.beams_known, 0.1, 500), kBeamsDoubted);
-  note(health.longest_doubt >= 5, kLost);
+  note(health.longest_doubt >= 10, kLost);
   note(many(health.collapses, health.scans_judged, 0.2, 5), kParticlesCollapsed);
   return found;
 }

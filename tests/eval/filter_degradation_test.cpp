@@ -40,7 +40,7 @@ TEST(FilterDegradation, NamesEachSignOnceItIsOverItsLimit) {
         Case{"scans_missing", &FilterHealth::scans_missing, 48},
         Case{"repeated_scans", &FilterHealth::repeated_scans, 3}, Case{"blind_scans", &FilterHealth::blind_scans, 48},
         Case{"odometry_doubted", &FilterHealth::odometry_doubted, 6},
-        Case{"headings_doubted", &FilterHealth::headings_doubted, 4}, Case{"lost", &FilterHealth::longest_doubt, 5},
+        Case{"headings_doubted", &FilterHealth::headings_doubted, 4}, Case{"lost", &FilterHealth::longest_doubt, 10},
         Case{"particles_collapsed", &FilterHealth::collapses, 36}}) {
     FilterHealth health = sound();
     health.*c.count = c.limit - 1;
